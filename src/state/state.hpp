@@ -1,0 +1,77 @@
+#pragma once
+// All that a run knows at one instant; a time folder holds exactly this. Only nodes carry history.
+
+#include <map>
+#include <string>
+
+#include "base/types.hpp"
+#include "mesh/mesh.hpp"
+
+namespace pfem {
+
+/// Nodal values, all arrays of one length, sorted by ascending id. Fluid, solid and wall nodes share the
+/// one list; an interface node is ONE node with one velocity.
+template <int Dim>
+struct Nodes {
+    std::vector<Id> id;
+    Points<Dim> x;                    // position [m]
+    Points<Dim> v;                    // velocity [m/s]
+    Points<Dim> a;                    // acceleration [m/s2]
+    std::vector<double> p;            // fluid pressure, positive in compression [Pa]
+    std::vector<Stress<Dim>> sigma;   // Cauchy stress of the solid patch [Pa], zero elsewhere
+    Points<Dim> X;                    // reference position; D = x - X [m]
+    std::vector<double> h;            // wanted distance to the neighbours [m]
+    std::vector<double> dropVolume;   // volume carried by an isolated particle [m2 (2D), m3]
+
+    int size() const { return static_cast<int>(id.size()); }
+    void resize(int n);
+
+    /// Append node i of another set.
+    void append(const Nodes& other, int i);
+};
+
+/// Time and step; what OpenFOAM keeps in <time>/uniform/time.
+struct TimeInfo {
+    double value = 0;    // [s]
+    int index = 0;       // steps since the start
+    double deltaT = 0;   // the step that comes next [s]
+    double deltaT0 = 0;  // the step that led here [s]
+};
+
+template <int Dim>
+struct State {
+    TimeInfo time;
+    Nodes<Dim> nodes;
+    Mesh<Dim> mesh;
+    Id nextId = 0;                         // the id of the next node to be inserted
+    std::map<std::string, double> ledger;  // cumulative fluid volume by cause [m2 (2D), m3]
+};
+
+template <int Dim>
+void Nodes<Dim>::resize(int n) {
+    const auto m = static_cast<std::size_t>(n);
+    id.resize(m, -1);
+    x.resize(m, Vec<Dim>::Zero());
+    v.resize(m, Vec<Dim>::Zero());
+    a.resize(m, Vec<Dim>::Zero());
+    p.resize(m, 0.0);
+    sigma.resize(m, Stress<Dim>::Zero());
+    X.resize(m, Vec<Dim>::Zero());
+    h.resize(m, 0.0);
+    dropVolume.resize(m, 0.0);
+}
+
+template <int Dim>
+void Nodes<Dim>::append(const Nodes& other, int i) {
+    id.push_back(other.id[i]);
+    x.push_back(other.x[i]);
+    v.push_back(other.v[i]);
+    a.push_back(other.a[i]);
+    p.push_back(other.p[i]);
+    sigma.push_back(other.sigma[i]);
+    X.push_back(other.X[i]);
+    h.push_back(other.h[i]);
+    dropVolume.push_back(other.dropVolume[i]);
+}
+
+}  // namespace pfem
