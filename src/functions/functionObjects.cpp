@@ -27,14 +27,26 @@ FunctionObjects<Dim>::FunctionObjects(const Case& theCase, const Dictionary& dic
         if (!onlyType.empty() && entry.get<std::string>("type") != onlyType) continue;
         const FunctionContext<Dim> context{name, theCase.postProcessing(name, startName), theCase.root(),
                                            entry.get("writePrecision", precision), startName};
-        functions_.push_back({readWriteControl(entry), makeFunction<Dim>(entry, context)});
+        functions_.push_back({name, readWriteControl(entry), makeFunction<Dim>(entry, context)});
     }
 }
 
 template <int Dim>
 void FunctionObjects<Dim>::start(const State<Dim>& state) {
-    for (auto& entry : functions_) entry.function->start(state);
+    prepare(state);
     if (state.time.index == 0) executeAll(state);
+}
+
+template <int Dim>
+void FunctionObjects<Dim>::prepare(const State<Dim>& state) {
+    for (auto& entry : functions_) entry.function->start(state);
+}
+
+template <int Dim>
+std::vector<std::string> FunctionObjects<Dim>::names() const {
+    std::vector<std::string> names;
+    for (const auto& entry : functions_) names.push_back(entry.name);
+    return names;
 }
 
 template <int Dim>

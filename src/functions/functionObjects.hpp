@@ -22,16 +22,22 @@ public:
     /// that the tables of a restarted run join without a repeated row.
     void start(const State<Dim>& state);
 
+    /// As start(), but never writes a row.
+    void prepare(const State<Dim>& state);
+
     /// After each step: those whose writeControl says so write a row.
     void execute(const State<Dim>& state);
 
     /// All of them write a row, whatever their writeControl (utilities that work on time folders).
     void executeAll(const State<Dim>& state);
 
+    /// The entries' names.
+    std::vector<std::string> names() const;
     int size() const { return static_cast<int>(functions_.size()); }
 
 private:
     struct Entry {
+        std::string name;
         WriteControl control;
         std::unique_ptr<FunctionObject<Dim>> function;
     };
