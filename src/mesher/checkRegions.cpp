@@ -14,7 +14,7 @@ void checkOverlaps(const MeshDescription& mesh, const std::vector<Region>& regio
     for (std::size_t i = 0; i < regions.size(); ++i) {
         for (const auto& name : mesh.bodies[i].holes) {
             Region outer = regions[i];
-            outer.edges.resize(mesh.bodies[i].holes.empty() ? outer.edges.size() : 0);
+            outer.edges.clear();
             for (const auto& edge : regions[i].edges) {
                 outer.edges.push_back(edge);
                 if (edge[1] == 0) break;  // the outer loop is complete

@@ -41,8 +41,8 @@ void addFaces(Patch<2>& patch, const std::vector<int>& nodes, bool forward) {
     }
 }
 
-/// Fill one body and append its points and cells; returns the range of its cells.
-std::array<int, 2> addBody(Draft& draft, const MeshDescription& description, int index, Region& region,
+/// Fill one body and append its points and cells; returns where its cells are.
+MeshedBody addBody(Draft& draft, const MeshDescription& description, int index, Region& region,
                            const SizeField& size) {
     const Body& body = description.bodies[index];
     const auto triangles = body.pattern == Pattern::unstructured
@@ -62,7 +62,7 @@ std::array<int, 2> addBody(Draft& draft, const MeshDescription& description, int
         cells.nodes.push_back({global[t[0]], global[t[1]], global[t[2]]});
         cells.material.push_back(material);
     }
-    return {first, cells.size()};
+    return {first, cells.size(), region.area(), region.perimeter()};
 }
 
 /// Faces of the walls (none under a solid) and of the bodies' named patches.
@@ -164,18 +164,17 @@ MeshResult buildMesh(const MeshDescription& description) {
     draft.x = boundary.x;
     draft.h = boundary.h;
     draft.v.assign(draft.x.size(), Vec<2>::Zero());
-    result.cellsOfBody.resize(nBodies);
+    result.bodies.resize(nBodies);
     for (const auto type : {BodyType::fluid, BodyType::solid})  // solids last: theirs is the interface's velocity
         for (int b = 0; b < nBodies; ++b)
             if (description.bodies[b].type == type)
-                result.cellsOfBody[b] = addBody(draft, description, b, regions[b], size);
+                result.bodies[b] = addBody(draft, description, b, regions[b], size);
     addPatches(draft, description, arrangement, boundary);
     alignWithWalls(draft, description);
     renumber(draft);
     for (int b = 0; b < nBodies; ++b) {
         auto& cells = description.bodies[b].type == BodyType::fluid ? draft.mesh.fluid : draft.mesh.solid;
-        const auto [first, last] = result.cellsOfBody[b];
-        std::sort(cells.nodes.begin() + first, cells.nodes.begin() + last);
+        std::sort(cells.nodes.begin() + result.bodies[b].first, cells.nodes.begin() + result.bodies[b].last);
     }
     result.state = toState(std::move(draft));
     return result;

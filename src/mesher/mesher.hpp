@@ -6,9 +6,16 @@
 
 namespace pfem {
 
+/// What became of a body.
+struct MeshedBody {
+    int first = 0, last = 0;  // its fluid or solid cells: first .. last-1
+    double area = 0;          // of its polygon [m2]
+    double perimeter = 0;     // [m]
+};
+
 struct MeshResult {
     State<2> state;
-    std::vector<std::array<int, 2>> cellsOfBody;  // per body: first and last + 1 of its fluid or solid cells
+    std::vector<MeshedBody> bodies;
     std::vector<std::string> warnings;
 };
 
