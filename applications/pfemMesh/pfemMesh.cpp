@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "application/runApplication.hpp"
+#include "case/timeFolders.hpp"
 #include "io/series.hpp"
 #include "io/stateFiles.hpp"
 #include "mesher/meshReport.hpp"
