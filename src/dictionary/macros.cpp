@@ -10,14 +10,15 @@ namespace {
 
 /// "a.b.c" in this dictionary only. Keys may contain dots themselves (alpha.water): the whole name first,
 /// then every way to cut it.
-const DictionaryEntry* findScoped(DictionaryNode& node, const std::string& name, int depth = 0) {
-    if (const auto* entry = node.find(name)) return entry;
+const DictionaryEntry* findScoped(DictionaryNode& node, const std::string& name, bool patterns,
+                                  int depth = 0) {
+    if (const auto* entry = node.find(name, patterns)) return entry;
     if (depth > 20) return nullptr;
     for (auto dot = name.find('.'); dot != std::string::npos; dot = name.find('.', dot + 1)) {
         if (dot == 0) continue;
-        const auto* outer = node.find(name.substr(0, dot));
+        const auto* outer = node.find(name.substr(0, dot), patterns);
         if (!outer || !outer->dict) continue;
-        if (const auto* inner = findScoped(*outer->dict->node(), name.substr(dot + 1), depth + 1))
+        if (const auto* inner = findScoped(*outer->dict->node(), name.substr(dot + 1), patterns, depth + 1))
             return inner;
     }
     return nullptr;
@@ -30,7 +31,7 @@ DictionaryNode* top(DictionaryNode* node) {
 
 }  // namespace
 
-const DictionaryEntry* findMacro(const DictionaryNode& scope, const std::string& macro) {
+const DictionaryEntry* findMacro(const DictionaryNode& scope, const std::string& macro, bool patterns) {
     auto* node = const_cast<DictionaryNode*>(&scope);  // find() is shared with the reading side
     std::string name = macro;
     bool outwards = true;
@@ -60,7 +61,7 @@ const DictionaryEntry* findMacro(const DictionaryNode& scope, const std::string&
     }
     if (name.empty()) return nullptr;
     while (true) {
-        if (const auto* entry = findScoped(*node, name)) return entry;
+        if (const auto* entry = findScoped(*node, name, patterns)) return entry;
         auto parent = node->parent.lock();
         if (!outwards || !parent) return nullptr;
         node = parent.get();

@@ -14,7 +14,8 @@
 namespace pfem {
 
 /// The entry a macro names, or null. `name` without "$" and braces.
-const DictionaryEntry* findMacro(const DictionaryNode& scope, const std::string& name);
+/// Quoted keys count as patterns for `$dict;` only: in `".*" { value $internalField; }` the value is not the pattern.
+const DictionaryEntry* findMacro(const DictionaryNode& scope, const std::string& name, bool patterns = false);
 
 /// ${name:-default}: the parts. `operation` is '-', '+' or '\0' if there is none.
 struct MacroDefault {

@@ -92,7 +92,8 @@ void Parser::entry(Lexer& lexer, const NodePtr& node, const Token& key) {
             result.tokens.clear();
         }
     }
-    add(node, std::move(result));
+    const bool headerOfInclude = open_.size() > 1 && result.dict && result.key == headerKey;
+    if (!headerOfInclude) add(node, std::move(result));
 }
 
 NodePtr Parser::dictionary(Lexer& lexer, const NodePtr& parent, const std::string& keyword,

@@ -102,7 +102,7 @@ void Parser::substitute(Lexer& lexer, const NodePtr& node, const Token& variable
         entry(lexer, node, key);
         return;
     }
-    const DictionaryEntry* found = findMacro(*node, expandString(variable.text, *node));
+    const DictionaryEntry* found = findMacro(*node, expandString(variable.text, *node), true);
     if (!found) unknownMacro(node, variable);
     if (!found->dict) {
         throw UserError("$" + variable.text + " is not a dictionary: its entries cannot be copied here",
