@@ -48,6 +48,8 @@ TEST(Macros, environmentAndDefaults) {
 TEST(Macros, dictionaries) {
     EXPECT_EQ(expanded("p { tol 1; relTol 0.1; s { a 1; } } pFinal { $p; relTol 0; s { b 2; } }"),
               "p { tol 1; relTol 0.1; s { a 1; } } pFinal { tol 1; relTol 0; s { a 1; b 2; } }");
+    EXPECT_EQ(expanded("p { a 1; } q { $p\n b 2; }"), "p { a 1; } q { a 1; b 2; }");
+    EXPECT_EQ(expanded("d Gauss multi { U linear; };"), "d Gauss multi { U linear; };");
     EXPECT_EQ(expanded("p { a 1; } q $p; l ( $p );"), "p { a 1; } q { a 1; } l ( { a 1; } );");
     EXPECT_EQ(expanded("s { a 1; } s { b 2; } x 1; x 2;"), "s { a 1; b 2; } x 2;");
     EXPECT_EQ(expanded("a 1; a { b 1; } c { d 1; } c 2;"), "a { b 1; } c 2;");
