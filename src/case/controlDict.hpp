@@ -1,0 +1,62 @@
+#pragma once
+// system/controlDict: OpenFOAM's keywords and meaning.
+
+#include <limits>
+#include <string>
+
+#include "case/writeControl.hpp"
+#include "dictionary/dictionary.hpp"
+#include "dictionary/entries.hpp"
+
+namespace pfem {
+
+struct ControlDict {
+    std::string application;
+    std::string startFrom = "latestTime";
+    double startTime = 0;
+    std::string stopAt = "endTime";
+    double endTime = 0;
+    double deltaT = 0;
+    std::string writeControl = "timeStep";
+    double writeInterval = 1;
+    int purgeWrite = 0;
+    std::string writeFormat = "binary";
+    int writePrecision = 6;
+    std::string writeCompression = "on";
+    std::string timeFormat = "general";
+    int timePrecision = 6;
+    bool runTimeModifiable = true;
+    bool adjustTimeStep = false;
+    double maxCo = 0.25;
+    double maxDeltaT = 1e300;
+
+    template <class Visitor>
+    void entries(Visitor& v) {
+        v("application", application, "-", "the solver's name, for Allrun scripts");
+        v("startFrom", startFrom, "-", "firstTime, startTime or latestTime");
+        v("startTime", startTime, "s", "where a run begins with startFrom startTime");
+        v("stopAt", stopAt, "-", "endTime, writeNow, noWriteNow or nextWrite");
+        v("endTime", endTime, "s", "end of the run");
+        v("deltaT", deltaT, "s", "time step; with adjustTimeStep the first one");
+        v("writeControl", writeControl, "-", "timeStep, runTime, adjustable, adjustableRunTime or none");
+        v("writeInterval", writeInterval, "steps or s", "distance of the written times");
+        v("purgeWrite", purgeWrite, "-", "number of time folders of this run to keep; 0 keeps all");
+        v("writeFormat", writeFormat, "-", "accepted; the state is always binary");
+        v("writePrecision", writePrecision, "digits", "digits in postProcessing");
+        v("writeCompression", writeCompression, "-", "accepted; the state is always compressed");
+        v("timeFormat", timeFormat, "-", "general, fixed or scientific");
+        v("timePrecision", timePrecision, "digits", "digits of time names; raised when two names would be equal");
+        v("runTimeModifiable", runTimeModifiable, "-", "read this file again when it changes during the run");
+        v("adjustTimeStep", adjustTimeStep, "-", "choose the time step by maxCo");
+        v("maxCo", maxCo, "-", "Courant number that the step must not exceed");
+        v("maxDeltaT", maxDeltaT, "s", "largest time step");
+    }
+};
+
+/// Check everything and mark all known keywords of `dict` as used. Throws UserError.
+ControlDict readControlDict(const Dictionary& dict);
+
+/// When the state is to be written.
+WriteControl writeControlOf(const ControlDict& controls);
+
+}  // namespace pfem

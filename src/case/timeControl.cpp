@@ -1,0 +1,159 @@
+#include "case/timeControl.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <limits>
+
+#include "base/error.hpp"
+#include "case/interrupt.hpp"
+
+namespace pfem {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double growth = 1.2;       // of a step over the one before
+constexpr double sameTime = 1e-6;    // of a step: nearer than this means equal
+
+/// The folder that startFrom asks for.
+std::string chooseStart(const Case& theCase, const ControlDict& controls) {
+    const TimeFolders times = listTimes(theCase.root());
+    std::string ignored;
+    for (const auto& folder : times.ignored) ignored += "\n    ignored " + folder.name + ": " + folder.reason;
+    for (const auto& folder : times.ignored)
+        std::cerr << "--> PFEM Warning : time folder " << folder.name << " is ignored: " << folder.reason << "\n";
+    if (times.complete.empty())
+        throw UserError("no time folder in case \"" + theCase.root().string() + "\": run pfemMesh first" + ignored);
+    if (controls.startFrom == "firstTime") return times.complete.front().name;
+    if (controls.startFrom == "latestTime") return times.complete.back().name;
+    std::string known;
+    for (const auto& folder : times.complete) {
+        if (std::abs(folder.value - controls.startTime) <= 1e-9 * std::max(1.0, std::abs(folder.value)))
+            return folder.name;
+        known += " " + folder.name;
+    }
+    throw UserError("no time folder for startTime " + timeName(controls.startTime) + "; there are:" + known + ignored,
+                    {theCase.controlDict().string(), 0});
+}
+
+fs::file_time_type modificationTime(const fs::path& file) {
+    std::error_code error;
+    return fs::last_write_time(file, error);
+}
+
+}  // namespace
+
+TimeControl::TimeControl(const Case& theCase)
+    : root_(theCase.root()),
+      file_(theCase.controlDict()),
+      readAt_(modificationTime(file_)),
+      dict_(Dictionary::read(file_)),
+      controls_(readControlDict(dict_)),
+      write_(writeControlOf(controls_)),
+      timePrecision_(controls_.timePrecision),
+      startName_(chooseStart(theCase, controls_)) {
+    stop_ = controls_.stopAt == "writeNow" || controls_.stopAt == "noWriteNow";
+    if (stop_) std::cerr << "--> PFEM Warning : nothing to do: 'stopAt " << controls_.stopAt << "' in " << file_.string() << "\n";
+}
+
+/// Steps may be shortened to end on a wanted time.
+bool TimeControl::fitted() const { return controls_.adjustTimeStep || write_.adjustable(); }
+
+/// The next time that a step must not jump over.
+double TimeControl::target(const TimeInfo& time) const {
+    if (!fitted()) return std::numeric_limits<double>::infinity();
+    const double end = time.value < controls_.endTime ? controls_.endTime : std::numeric_limits<double>::infinity();
+    return write_.adjustable() ? std::min(write_.next(time), end) : end;
+}
+
+bool TimeControl::ended(const TimeInfo& time) const {
+    const double step = time.deltaT > 0 ? time.deltaT : controls_.deltaT;
+    return time.value >= controls_.endTime - (fitted() ? sameTime : 0.5) * step;
+}
+
+bool TimeControl::running(const TimeInfo& time) const { return !stop_ && !ended(time); }
+
+double TimeControl::deltaT(const TimeInfo& time, double courantRate) const {
+    const bool first = time.index == 0 || !(time.deltaT > 0);
+    double dt = first ? controls_.deltaT : growth * time.deltaT;
+    if (controls_.adjustTimeStep) {
+        dt = std::min(dt, controls_.maxDeltaT);
+        if (courantRate > 0) dt = std::min(dt, controls_.maxCo / courantRate);
+    } else {
+        dt = std::min(dt, controls_.deltaT);
+    }
+    const double left = target(time) - time.value;
+    const double steps = left / dt;
+    if (!(steps < 1e9)) return dt;
+    const double n = std::max(1.0, std::floor(steps + 0.99));
+    const double even = left / n;
+    return std::abs(even - dt) <= sameTime * dt ? dt : even;  // keep dt's bits while rounding alone differs
+}
+
+TimeInfo TimeControl::advance(const TimeInfo& time, double dt) {
+    TimeInfo next = time;
+    next.value = time.value + dt;
+    const double multiple = std::round(next.value / controls_.deltaT) * controls_.deltaT;
+    if (!controls_.adjustTimeStep && std::abs(next.value - multiple) <= sameTime * dt) next.value = multiple;
+    const double wanted = target(time);
+    if (std::abs(next.value - wanted) <= sameTime * dt) next.value = wanted;
+    next.index = time.index + 1;
+    next.deltaT = dt;
+    next.deltaT0 = dt;
+    const int precision = precisionToDistinguish(time.value, next.value, controls_.timeFormat, timePrecision_);
+    if (precision != timePrecision_)
+        std::cerr << "--> PFEM Warning : Increased the timePrecision from " << timePrecision_ << " to " << precision
+                  << " to distinguish between timeNames at time " << name(next) << "\n";
+    timePrecision_ = precision;
+    return next;
+}
+
+bool TimeControl::writeDue(const TimeInfo& time) {
+    readAgainIfChanged();
+    const bool due = write_.due(time) || ended(time);
+    if (interrupted()) {
+        stop_ = true;
+        return true;
+    }
+    if (controls_.stopAt == "endTime") return due;
+    stop_ = stop_ || controls_.stopAt != "nextWrite" || due;
+    return controls_.stopAt == "writeNow" || (controls_.stopAt == "nextWrite" && due);
+}
+
+void TimeControl::readAgainIfChanged() {
+    if (!controls_.runTimeModifiable) return;
+    const auto modified = modificationTime(file_);
+    if (modified == readAt_) return;
+    readAt_ = modified;
+    try {
+        Dictionary dict = Dictionary::read(file_);
+        const ControlDict controls = readControlDict(dict);
+        write_ = writeControlOf(controls);
+        if (controls.timePrecision != controls_.timePrecision) timePrecision_ = controls.timePrecision;
+        controls_ = controls;
+        dict_ = std::move(dict);
+        std::cout << "Re-reading " << file_.string() << "\n";
+    } catch (const UserError& error) {  // perhaps just being edited: a running job must not die of it
+        std::cerr << "--> PFEM Warning : " << file_.string() << " was changed but cannot be used, the old settings stay: "
+                  << error.what() << "\n";
+    }
+}
+
+std::string TimeControl::name(const TimeInfo& time) const {
+    return timeName(time.value, controls_.timeFormat, timePrecision_);
+}
+
+void TimeControl::written(const TimeInfo& time) {
+    const std::string current = name(time);
+    std::erase(names_, current);
+    names_.push_back(current);
+    while (controls_.purgeWrite > 0 && static_cast<int>(names_.size()) > controls_.purgeWrite) {
+        std::error_code ignored;
+        if (asNumber(names_.front()) != 0.0) fs::remove_all(root_ / names_.front(), ignored);
+        names_.pop_front();
+    }
+}
+
+}  // namespace pfem

@@ -1,0 +1,69 @@
+#pragma once
+// The clock of a run: which step comes next, when to write, when to stop.
+
+#include <deque>
+#include <filesystem>
+#include <string>
+
+#include "case/case.hpp"
+#include "case/controlDict.hpp"
+#include "case/timeFolders.hpp"
+#include "case/writeControl.hpp"
+#include "state/state.hpp"
+
+namespace pfem {
+
+/// The clock has no time of its own: it answers for the TimeInfo it is given, so that a run restarted from
+/// a time folder takes the same steps as one that never stopped.
+class TimeControl {
+public:
+    /// Read system/controlDict and choose the folder to start from. Throws UserError when there is none.
+    explicit TimeControl(const Case& theCase);
+
+    const ControlDict& controls() const { return controls_; }
+    const Dictionary& dictionary() const { return dict_; }
+
+    /// The folder to start from: its name ("0"), its path.
+    const std::string& startName() const { return startName_; }
+    std::filesystem::path startFolder() const { return root_ / startName_; }
+
+    /// Is there another step to do after `time`?
+    bool running(const TimeInfo& time) const;
+
+    /// Length of the step that comes after `time` [s]: by deltaT, maxCo, maxDeltaT, at most 1.2 times the last
+    /// one, and fitted so that the next write falls exactly on k*writeInterval.
+    /// `courantRate`: the largest |v|/h of the mesh [1/s]; 0 when it does not matter.
+    double deltaT(const TimeInfo& time, double courantRate = 0) const;
+
+    /// The time after a step of length dt from `time`: rounded to the write time, the end time or a multiple of
+    /// deltaT when it means one of them. Raises timePrecision when names would coincide.
+    TimeInfo advance(const TimeInfo& time, double dt);
+
+    /// Is the state to be written at `time`? Also looks at signals and at a changed controlDict: ask once a step.
+    bool writeDue(const TimeInfo& time);
+
+    /// The name of `time` ("0.05") and its folder.
+    std::string name(const TimeInfo& time) const;
+    std::filesystem::path folder(const TimeInfo& time) const { return root_ / name(time); }
+
+    /// Tell that the folder of `time` is written: removes the oldest folder of this run beyond purgeWrite.
+    void written(const TimeInfo& time);
+
+private:
+    void readAgainIfChanged();
+    bool ended(const TimeInfo& time) const;
+    bool fitted() const;
+    double target(const TimeInfo& time) const;
+
+    std::filesystem::path root_, file_;
+    std::filesystem::file_time_type readAt_;
+    Dictionary dict_;
+    ControlDict controls_;
+    WriteControl write_;
+    int timePrecision_;
+    std::string startName_;
+    std::deque<std::string> names_;  // written by this run, for purgeWrite
+    bool stop_ = false;
+};
+
+}  // namespace pfem

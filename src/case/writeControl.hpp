@@ -1,0 +1,36 @@
+#pragma once
+// When something is written: every n steps, every so many seconds, never.
+
+#include <string>
+#include <vector>
+
+#include "state/state.hpp"
+
+namespace pfem {
+
+class WriteControl {
+public:
+    /// The valid words for `writeControl`.
+    static const std::vector<std::string>& modes();
+
+    /// `mode`: one of modes(). `interval`: steps (timeStep) or seconds. Throws UserError when the interval
+    /// is not positive, or for timeStep not a whole number.
+    WriteControl(const std::string& mode, double interval);
+
+    /// adjustable: steps are shortened so that they end exactly on k*interval.
+    bool adjustable() const { return mode_ == Mode::adjustable; }
+
+    /// Is something to be written at the end of the step that led to `time`? Depends on `time` and nothing
+    /// else, so that a restarted run writes at the same times.
+    bool due(const TimeInfo& time) const;
+
+    /// The first k*interval behind time.value; infinite for timeStep and none.
+    double next(const TimeInfo& time) const;
+
+private:
+    enum class Mode { timeStep, runTime, adjustable, none };
+    Mode mode_;
+    double interval_;
+};
+
+}  // namespace pfem

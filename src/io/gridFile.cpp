@@ -1,0 +1,111 @@
+#include "io/gridFile.hpp"
+
+#include <vtkCommand.h>
+#include <vtkErrorCode.h>
+#include <vtkObjectFactory.h>
+#include <vtkOutputWindow.h>
+#include <vtkXMLUnstructuredGridReader.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include <exception>
+#include <string>
+
+#include "base/error.hpp"
+
+namespace pfem {
+
+namespace {
+
+/// Keeps the first message that VTK sends to observers.
+class FirstError : public vtkCommand {
+public:
+    static FirstError* New() { return new FirstError; }
+    void Execute(vtkObject*, unsigned long, void* data) override { add(static_cast<const char*>(data)); }
+    void add(const char* text) {
+        if (message_.empty()) message_ = text != nullptr ? text : "unknown error";
+    }
+    const std::string& message() const { return message_; }
+
+private:
+    std::string message_;
+};
+
+/// What VTK would print on stderr, collected instead.
+class SilentWindow : public vtkOutputWindow {
+public:
+    static SilentWindow* New();
+    vtkTypeMacro(SilentWindow, vtkOutputWindow);
+    void DisplayText(const char*) override {}
+    void DisplayErrorText(const char* text) override { error_->add(text); }
+    void DisplayWarningText(const char*) override {}
+    void DisplayGenericWarningText(const char*) override {}
+    void DisplayDebugText(const char*) override {}
+    vtkSmartPointer<FirstError> error_;
+};
+vtkStandardNewMacro(SilentWindow)
+
+/// VTK is silent while this lives; its first error can be asked for.
+class VtkErrors {
+public:
+    VtkErrors() : previous_(vtkOutputWindow::GetInstance()) {
+        auto window = vtkSmartPointer<SilentWindow>::New();
+        window->error_ = error_;
+        vtkOutputWindow::SetInstance(window);
+    }
+    ~VtkErrors() { vtkOutputWindow::SetInstance(previous_); }
+    VtkErrors(const VtkErrors&) = delete;
+    VtkErrors& operator=(const VtkErrors&) = delete;
+
+    vtkCommand* observer() { return error_; }
+    const std::string& message() const { return error_->message(); }
+
+private:
+    vtkSmartPointer<FirstError> error_ = vtkSmartPointer<FirstError>::New();
+    vtkSmartPointer<vtkOutputWindow> previous_;
+};
+
+[[noreturn]] void fail(const std::string& what, const std::filesystem::path& file, const std::string& reason) {
+    throw UserError(what + " \"" + file.string() + "\": " + reason, {file.string(), 0});
+}
+
+}  // namespace
+
+void writeGrid(const std::filesystem::path& file, vtkUnstructuredGrid* grid) {
+    VtkErrors errors;
+    auto writer = vtkSmartPointer<vtkXMLUnstructuredGridWriter>::New();
+    writer->AddObserver(vtkCommand::ErrorEvent, errors.observer());
+    writer->SetFileName(file.c_str());
+    writer->SetInputData(grid);
+    writer->SetDataModeToAppended();
+    writer->EncodeAppendedDataOff();
+    writer->SetCompressorTypeToZLib();
+    writer->SetByteOrderToLittleEndian();
+    writer->SetHeaderTypeToUInt64();
+    const int written = writer->Write();
+    if (const unsigned long code = writer->GetErrorCode(); code != vtkErrorCode::NoError)
+        fail("cannot write", file, vtkErrorCode::GetStringFromErrorCode(code));
+    if (written != 1 || !errors.message().empty())
+        fail("cannot write", file, errors.message().empty() ? "write error" : errors.message());
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> readGrid(const std::filesystem::path& file) {
+    if (!std::filesystem::is_regular_file(file))
+        throw UserError("cannot find file \"" + file.string() + "\"", {file.string(), 0});
+    VtkErrors errors;
+    auto reader = vtkSmartPointer<vtkXMLUnstructuredGridReader>::New();
+    reader->AddObserver(vtkCommand::ErrorEvent, errors.observer());
+    reader->SetReaderErrorObserver(errors.observer());
+    reader->SetParserErrorObserver(errors.observer());
+    reader->SetFileName(file.c_str());
+    try {
+        reader->Update();
+    } catch (const std::exception& error) {  // sizes that no memory can hold
+        fail("cannot read", file, std::string("truncated or corrupt (") + error.what() + ")");
+    }
+    if (!errors.message().empty() || reader->GetErrorCode() != vtkErrorCode::NoError ||
+        reader->GetOutput() == nullptr || reader->GetOutput()->GetPoints() == nullptr)
+        fail("cannot read", file, "truncated, corrupt or not a file of this toolkit");
+    return reader->GetOutput();
+}
+
+}  // namespace pfem

@@ -1,0 +1,84 @@
+#include "io/uniformTime.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+
+#include "base/error.hpp"
+#include "dictionary/dictionary.hpp"
+#include "io/textHeader.hpp"
+
+namespace pfem {
+
+namespace {
+
+double finite(const std::string& name, double value) {
+    if (!std::isfinite(value)) throw InternalError("uniform/time: '" + name + "' is not a finite number");
+    return value;
+}
+
+const std::string& plainWord(const std::string& word) {
+    bool plain = !word.empty() && std::isalpha(static_cast<unsigned char>(word[0]));
+    for (const char c : word) plain = plain && (std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.');
+    if (!plain) throw InternalError("uniform/time: '" + word + "' cannot be a keyword");
+    return word;
+}
+
+std::string entry(const std::string& name, double value) {
+    return fmt::format("{:<15} {};\n", plainWord(name), finite(name, value));
+}
+
+double readFinite(const Dictionary& dict, const std::string& key) {
+    const double value = dict.get<double>(key);
+    if (!std::isfinite(value)) dict.fatal(key, "'" + key + "' is not a finite number");
+    return value;
+}
+
+Id readWhole(const Dictionary& dict, const std::string& key) {
+    const auto value = dict.get<std::int64_t>(key);
+    if (value < 0) dict.fatal(key, "'" + key + "' must not be negative");
+    return value;
+}
+
+}  // namespace
+
+std::string checksumOf(const std::string& bytes) {
+    std::uint64_t hash = 14695981039346656037ULL;
+    for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+    return fmt::format("{}-{:016x}", bytes.size(), hash);
+}
+
+std::string formatUniformTime(const UniformTime& uniform, const std::string& folderName) {
+    std::string text = dictionaryHeader("time", folderName + "/uniform");
+    text += entry("value", uniform.time.value);
+    text += fmt::format("{:<15} \"{}\";\n", "name", folderName);
+    text += fmt::format("{:<15} {};\n", "index", uniform.time.index);
+    text += entry("deltaT", uniform.time.deltaT);
+    text += entry("deltaT0", uniform.time.deltaT0);
+    text += fmt::format("{:<15} {};\n\n", "nextId", uniform.nextId);
+    text += "// Cumulative fluid volume by cause [m2 in 2D, m3 in 3D]\nledger\n{\n";
+    for (const auto& [cause, volume] : uniform.ledger) text += "    " + entry(cause, volume);
+    text += "}\n\nchecksums\n{\n";
+    for (const auto& [file, sum] : uniform.checksums)
+        text += fmt::format("    {:<15} \"{}\";\n", plainWord(file), sum);
+    return text + "}\n\n" + dictionaryEndLine();
+}
+
+UniformTime readUniformTime(const std::filesystem::path& folder) {
+    const Dictionary dict = Dictionary::read(folder / "uniform" / "time");
+    UniformTime uniform;
+    uniform.time.value = readFinite(dict, "value");
+    uniform.time.index = static_cast<int>(readWhole(dict, "index"));
+    uniform.time.deltaT = readFinite(dict, "deltaT");
+    uniform.time.deltaT0 = readFinite(dict, "deltaT0");
+    uniform.nextId = readWhole(dict, "nextId");
+    const Dictionary ledger = dict.subDict("ledger");
+    for (const auto& cause : ledger.keys()) uniform.ledger[cause] = readFinite(ledger, cause);
+    const Dictionary sums = dict.subDictOrEmpty("checksums");
+    for (const auto& file : sums.keys()) uniform.checksums[file] = sums.get<std::string>(file);
+    return uniform;
+}
+
+}  // namespace pfem

@@ -1,0 +1,30 @@
+#pragma once
+// <time>/uniform/time: the numbers of a state that belong to no node, as a dictionary.
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "state/state.hpp"
+
+namespace pfem {
+
+/// The content of uniform/time.
+struct UniformTime {
+    TimeInfo time;
+    Id nextId = 0;
+    std::map<std::string, double> ledger;          // cumulative fluid volume by cause [m2 (2D), m3]
+    std::map<std::string, std::string> checksums;  // of the files of the folder, as checksumOf() gives
+};
+
+/// The text of the file in the folder named `folderName`; numbers in the shortest form that reads back to
+/// the same bits. Throws InternalError when a number is not finite or a cause is not a plain word.
+std::string formatUniformTime(const UniformTime& uniform, const std::string& folderName);
+
+/// Read `folder`/uniform/time. Throws UserError naming the file when it is missing or makes no sense.
+UniformTime readUniformTime(const std::filesystem::path& folder);
+
+/// Size and 64-bit FNV-1a hash of a file's bytes: tells a damaged file before anybody trusts it.
+std::string checksumOf(const std::string& bytes);
+
+}  // namespace pfem
