@@ -34,7 +34,7 @@ private:
 class SilentWindow : public vtkOutputWindow {
 public:
     static SilentWindow* New();
-    vtkTypeMacro(SilentWindow, vtkOutputWindow);
+    vtkTypeMacro(SilentWindow, vtkOutputWindow)
     void DisplayText(const char*) override {}
     void DisplayErrorText(const char* text) override { error_->add(text); }
     void DisplayWarningText(const char*) override {}
