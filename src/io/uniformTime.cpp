@@ -76,7 +76,7 @@ UniformTime readUniformTime(const std::filesystem::path& folder) {
     uniform.nextId = readWhole(dict, "nextId");
     const Dictionary ledger = dict.subDict("ledger");
     for (const auto& cause : ledger.keys()) uniform.ledger[cause] = readFinite(ledger, cause);
-    const Dictionary sums = dict.subDictOrEmpty("checksums");
+    const Dictionary sums = dict.subDict("checksums");
     for (const auto& file : sums.keys()) uniform.checksums[file] = sums.get<std::string>(file);
     return uniform;
 }
