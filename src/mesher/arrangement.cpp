@@ -1,0 +1,161 @@
+#include "mesher/arrangement.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace pfem {
+
+namespace {
+
+/// An edge of an outline, or a part of one, before the cutting.
+struct RawEdge {
+    int a, b;
+    Curve curve;
+    int outline, edge;
+    bool fixed;
+};
+
+int findOrAdd(Points<2>& vertices, const Vec<2>& x, double tolerance) {
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        if ((vertices[i] - x).norm() <= tolerance) return static_cast<int>(i);
+    vertices.push_back(x);
+    return static_cast<int>(vertices.size()) - 1;
+}
+
+void addEdges(const Outline& outline, int index, const std::vector<int>& divisions, double tolerance,
+              Points<2>& vertices, std::vector<RawEdge>& edges) {
+    for (int e = 0; e < outline.nEdges(); ++e) {
+        const Curve curve = edgeCurve(outline, e);
+        const int n = divisions.empty() ? 1 : divisions[e];
+        int a = findOrAdd(vertices, curve.point(0), tolerance);
+        for (int i = 0; i < n; ++i) {
+            const double s0 = double(i) / n, s1 = double(i + 1) / n;
+            const int b = findOrAdd(vertices, curve.point(s1), tolerance);
+            edges.push_back({a, b, curve.part(s0, s1, vertices[a], vertices[b]), index, e, !divisions.empty()});
+            a = b;
+        }
+    }
+}
+
+/// The vertices inside the edge, in order: pairs of parameter and vertex, with both ends.
+std::vector<std::pair<double, int>> cuts(const RawEdge& e, const Points<2>& vertices, double tolerance) {
+    std::vector<std::pair<double, int>> at = {{0.0, e.a}, {1.0, e.b}};
+    for (int v = 0; v < static_cast<int>(vertices.size()); ++v) {
+        if (v == e.a || v == e.b) continue;
+        if (const auto s = e.curve.parameterOf(vertices[v], tolerance)) at.emplace_back(*s, v);
+    }
+    std::sort(at.begin(), at.end());
+    return at;
+}
+
+[[noreturn]] void patternCut(const MeshDescription& mesh, const RawEdge& e, const Vec<2>& x) {
+    const Body& body = mesh.bodies[e.outline];
+    throw UserError(
+        fmt::format("A vertex at ({:g} {:g}) lies between two nodes of the structured body '{}'.\n"
+                    "Choose 'cells' so that one of its nodes falls there, or leave out 'pattern'.",
+                    x.x(), x.y(), body.name),
+        body.at("pattern"));
+}
+
+}  // namespace
+
+Location Outline::at(const std::string& keyword) const {
+    auto it = places.find(keyword);
+    if (it == places.end()) it = places.find("");
+    return it == places.end() ? Location{} : it->second;
+}
+
+bool Arrangement::uses(int piece, int outline) const {
+    const auto& all = pieces[piece].uses;
+    return std::any_of(all.begin(), all.end(), [&](const PieceUse& use) { return use.outline == outline; });
+}
+
+int bodyIndex(const MeshDescription& mesh, const std::string& name) {
+    for (std::size_t i = 0; i < mesh.bodies.size(); ++i)
+        if (mesh.bodies[i].name == name) return static_cast<int>(i);
+    return -1;
+}
+
+const Outline& outlineOf(const MeshDescription& mesh, int index) {
+    const int n = static_cast<int>(mesh.bodies.size());
+    if (index < n) return mesh.bodies[index];
+    return mesh.walls[index - n];
+}
+
+Curve edgeCurve(const Outline& outline, int edge) {
+    const int n = static_cast<int>(outline.points.size());
+    const int from = edge, to = (edge + 1) % n;
+    const Vec<2>&a = outline.points[from], &b = outline.points[to];
+    for (const auto& arc : outline.arcs) {
+        const bool same = arc.from == from && arc.to == to, reverse = arc.from == to && arc.to == from;
+        if (!same && !reverse) continue;
+        if (const auto curve = Curve::arc(a, arc.through, b)) return *curve;
+        throw UserError(fmt::format("arc {} {} ({:g} {:g}) of '{}': the three points lie on one line", arc.from,
+                                    arc.to, arc.through.x(), arc.through.y(), outline.name),
+                        outline.at("edges"));
+    }
+    return Curve::line(a, b);
+}
+
+std::array<int, 2> patternCells(const MeshDescription& mesh, const Body& body) {
+    if (body.cells[0] > 0) return body.cells;
+    const double h = body.meshSize > 0 ? body.meshSize : mesh.meshSize;
+    const auto divide = [&](int edge) {
+        const double mean = 0.5 * (edgeCurve(body, edge).length() + edgeCurve(body, edge + 2).length());
+        return std::max(1, static_cast<int>(std::lround(mean / h)));
+    };
+    return {divide(0), divide(1)};
+}
+
+Arrangement arrange(const MeshDescription& mesh, double tolerance) {
+    Arrangement result;
+    result.nBodies = static_cast<int>(mesh.bodies.size());
+    std::vector<RawEdge> edges;
+    int index = 0;
+    for (const auto& body : mesh.bodies) {
+        std::vector<int> divisions;
+        if (body.pattern != Pattern::unstructured) {
+            const auto [nx, ny] = patternCells(mesh, body);
+            divisions = {nx, ny, nx, ny};
+        }
+        addEdges(body, index++, divisions, tolerance, result.vertices, edges);
+    }
+    for (const auto& wall : mesh.walls) addEdges(wall, index++, {}, tolerance, result.vertices, edges);
+
+    result.chains.resize(index);
+    std::multimap<std::pair<int, int>, int> known;  // ends -> piece
+    for (const auto& e : edges) {
+        const auto at = cuts(e, result.vertices, tolerance);
+        if (e.fixed && at.size() > 2) patternCut(mesh, e, result.vertices[at[1].second]);
+        for (std::size_t i = 0; i + 1 < at.size(); ++i) {
+            const auto [s0, a] = at[i];
+            const auto [s1, b] = at[i + 1];
+            const Curve curve = e.curve.part(s0, s1, result.vertices[a], result.vertices[b]);
+            int piece = -1;
+            const auto [first, last] = known.equal_range(std::minmax(a, b));
+            for (auto it = first; it != last && piece < 0; ++it)
+                if ((result.pieces[it->second].curve.point(0.5) - curve.point(0.5)).norm() <= 2 * tolerance)
+                    piece = it->second;
+            if (piece < 0) {
+                piece = static_cast<int>(result.pieces.size());
+                result.pieces.push_back({a, b, curve, false, {}});
+                known.emplace(std::minmax(a, b), piece);
+            }
+            Piece& p = result.pieces[piece];
+            const bool forward = p.a == a;
+            p.fixed = p.fixed || e.fixed;
+            p.uses.push_back({e.outline, e.edge, forward});
+            result.chains[e.outline].push_back({piece, forward});
+        }
+    }
+    for (int b = 0; b < result.nBodies; ++b)
+        for (const auto& hole : mesh.bodies[b].holes)
+            for (const auto& ref : result.chains[bodyIndex(mesh, hole)])
+                result.pieces[ref.piece].uses.push_back({b, -1, !ref.forward});
+    return result;
+}
+
+}  // namespace pfem

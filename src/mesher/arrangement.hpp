@@ -1,0 +1,60 @@
+#pragma once
+// All outlines together: every edge is cut at each vertex of another outline that lies on it, and equal
+// pieces are joined, so that bodies and walls which touch share their nodes.
+
+#include <vector>
+
+#include "mesher/curve.hpp"
+#include "mesher/meshDescription.hpp"
+
+namespace pfem {
+
+/// One use of a piece by an outline.
+struct PieceUse {
+    int outline;   // bodies first, then walls
+    int edge;      // of that outline; -1: the piece is the rim of a hole in it
+    bool forward;  // the outline runs from Piece::a to Piece::b
+};
+
+/// A stretch of boundary between two vertices, without a vertex inside.
+struct Piece {
+    int a, b;  // vertices
+    Curve curve;
+    bool fixed = false;  // one edge of a structured pattern: not divided
+    std::vector<PieceUse> uses;
+};
+
+/// A piece as an outline passes it.
+struct PieceRef {
+    int piece;
+    bool forward;
+};
+
+struct Arrangement {
+    Points<2> vertices;
+    std::vector<Piece> pieces;
+    std::vector<std::vector<PieceRef>> chains;  // per outline, in its order
+    int nBodies = 0;
+
+    /// Whether body or wall `outline` uses the piece.
+    bool uses(int piece, int outline) const;
+    bool isWall(const PieceUse& use) const { return use.outline >= nBodies; }
+};
+
+/// Index of the body called `name`, -1 if there is none.
+int bodyIndex(const MeshDescription& mesh, const std::string& name);
+
+/// The outline of that index: bodies first, then walls.
+const Outline& outlineOf(const MeshDescription& mesh, int index);
+
+/// Points nearer than `tolerance` [m] are one vertex.
+/// Throws UserError: an arc through three points of one line, a vertex between the nodes of a pattern.
+Arrangement arrange(const MeshDescription& mesh, double tolerance);
+
+/// The cells of a structured body along its edges 0-1 and 1-2.
+std::array<int, 2> patternCells(const MeshDescription& mesh, const Body& body);
+
+/// The curve of edge `edge` of `outline`.
+Curve edgeCurve(const Outline& outline, int edge);
+
+}  // namespace pfem

@@ -1,0 +1,59 @@
+#pragma once
+// What a user asks for in system/meshDict: bodies of fluid and solid, rigid walls, target sizes.
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/types.hpp"
+
+namespace pfem {
+
+/// The edge between vertices `from` and `to` is the circular arc through the point `through` [m].
+struct ArcEdge {
+    int from = 0;
+    int to = 0;
+    Vec<2> through = Vec<2>::Zero();
+};
+
+/// A chain of vertices joined by straight edges or arcs: the outline of a body or the line of a wall.
+struct Outline {
+    std::string name;
+    Points<2> points;                          // [m]
+    std::vector<ArcEdge> arcs;
+    bool closed = true;                        // the last vertex is joined to the first
+    double meshSize = 0;                       // target edge length [m]; 0: the default of the dictionary
+    std::map<std::string, Location> places;    // keyword -> where it stands, for error messages
+
+    /// Where `keyword` was written; the outline's own place ("") when it was not.
+    Location at(const std::string& keyword = "") const;
+    int nEdges() const { return static_cast<int>(points.size()) - (closed ? 0 : 1); }
+};
+
+enum class BodyType { fluid, solid };
+
+/// unstructured: nearly equilateral triangles. The others divide a four-sided body into nx by ny cells:
+/// checkerboard: the diagonal turns from cell to cell; oneWay: all alike; crossed: four triangles a cell.
+enum class Pattern { unstructured, checkerboard, oneWay, crossed };
+
+struct Body : Outline {
+    BodyType type = BodyType::fluid;
+    std::string material;
+    Vec<2> velocity = Vec<2>::Zero();          // initial [m/s]
+    Pattern pattern = Pattern::unstructured;
+    std::array<int, 2> cells = {0, 0};         // along edges 0-1 and 1-2; 0: from meshSize
+    std::vector<std::string> holes;            // bodies whose outlines are cut out of this one
+    std::map<std::string, std::vector<std::array<int, 2>>> patches;  // name -> edges as pairs of vertices
+};
+
+struct Wall : Outline {};
+
+struct MeshDescription {
+    double meshSize = 0;  // default target edge length [m]
+    std::vector<Body> bodies;
+    std::vector<Wall> walls;
+};
+
+}  // namespace pfem

@@ -1,0 +1,183 @@
+#include "mesher/mesher.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "mesher/checks.hpp"
+#include "mesher/hilbertOrder.hpp"
+
+namespace pfem {
+
+namespace {
+
+/// Mesh under construction: boundary nodes first, then the inner points body by body.
+struct Draft {
+    Points<2> x, v;
+    std::vector<double> h;
+    Mesh<2> mesh;
+};
+
+int materialIndex(Mesh<2>& mesh, const std::string& name) {
+    const auto it = std::find(mesh.materials.begin(), mesh.materials.end(), name);
+    if (it != mesh.materials.end()) return static_cast<int>(it - mesh.materials.begin());
+    mesh.materials.push_back(name);
+    return static_cast<int>(mesh.materials.size()) - 1;
+}
+
+Patch<2>& patchNamed(Mesh<2>& mesh, const std::string& name) {
+    for (auto& patch : mesh.patches)
+        if (patch.name == name) return patch;
+    mesh.patches.push_back({name, {}});
+    return mesh.patches.back();
+}
+
+void addFaces(Patch<2>& patch, const std::vector<int>& nodes, bool forward) {
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+        if (forward)
+            patch.faces.push_back({nodes[i], nodes[i + 1]});
+        else
+            patch.faces.push_back({nodes[i + 1], nodes[i]});
+    }
+}
+
+/// Fill one body and append its points and cells; returns where its cells are.
+MeshedBody addBody(Draft& draft, const MeshDescription& description, int index, Region& region,
+                           const SizeField& size) {
+    const Body& body = description.bodies[index];
+    const auto triangles = body.pattern == Pattern::unstructured
+                               ? fillUnstructured(region, size)
+                               : fillPattern(region, body.pattern, patternCells(description, body));
+    std::vector<int> global = region.boundaryNode;
+    for (const int i : global) draft.v[i] = body.velocity;
+    for (std::size_t i = region.nBoundary; i < region.x.size(); ++i) {
+        global.push_back(static_cast<int>(draft.x.size()));
+        draft.x.push_back(region.x[i]);
+        draft.v.push_back(body.velocity);
+        draft.h.push_back(size.at(region.x[i], region.h));
+    }
+    Cells<2>& cells = body.type == BodyType::fluid ? draft.mesh.fluid : draft.mesh.solid;
+    const int first = cells.size(), material = materialIndex(draft.mesh, body.material);
+    for (const auto& t : triangles) {
+        cells.nodes.push_back({global[t[0]], global[t[1]], global[t[2]]});
+        cells.material.push_back(material);
+    }
+    return {first, cells.size(), region.area(), region.perimeter()};
+}
+
+/// Faces of the walls (none under a solid) and of the bodies' named patches.
+void addPatches(Draft& draft, const MeshDescription& description, const Arrangement& arrangement,
+                const BoundaryNodes& boundary) {
+    for (const auto& wall : description.walls) patchNamed(draft.mesh, wall.name);
+    for (std::size_t p = 0; p < arrangement.pieces.size(); ++p) {
+        const auto& uses = arrangement.pieces[p].uses;
+        const bool underSolid = std::any_of(uses.begin(), uses.end(), [&](const PieceUse& use) {
+            return !arrangement.isWall(use) && description.bodies[use.outline].type == BodyType::solid;
+        });
+        for (const auto& use : uses) {
+            if (arrangement.isWall(use)) {
+                const auto& name = description.walls[use.outline - arrangement.nBodies].name;
+                if (!underSolid) addFaces(patchNamed(draft.mesh, name), boundary.ofPiece[p], use.forward);
+                continue;
+            }
+            const Body& body = description.bodies[use.outline];
+            const int from = use.edge, to = (use.edge + 1) % static_cast<int>(body.points.size());
+            for (const auto& [name, edges] : body.patches)
+                for (const auto& [a, b] : edges)
+                    if (use.edge >= 0 && ((a == from && b == to) || (a == to && b == from)))
+                        addFaces(patchNamed(draft.mesh, name), boundary.ofPiece[p], use.forward);
+        }
+    }
+}
+
+/// Walls do not let the fluid through: its initial velocity there is the part along the wall.
+void alignWithWalls(Draft& draft, const MeshDescription& description) {
+    for (const auto& wall : description.walls) {
+        for (const auto& [a, b] : patchNamed(draft.mesh, wall.name).faces) {
+            const Vec<2> along = (draft.x[b] - draft.x[a]).normalized();
+            for (const int i : {a, b}) {
+                const Vec<2> part = along * along.dot(draft.v[i]);
+                draft.v[i] = part;
+            }
+        }
+    }
+}
+
+void renumber(Draft& draft) {
+    const auto order = hilbertOrder(draft.x);
+    std::vector<int> rank(order.size());
+    Draft sorted;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        rank[order[i]] = static_cast<int>(i);
+        sorted.x.push_back(draft.x[order[i]]);
+        sorted.v.push_back(draft.v[order[i]]);
+        sorted.h.push_back(draft.h[order[i]]);
+    }
+    draft.x.swap(sorted.x);
+    draft.v.swap(sorted.v);
+    draft.h.swap(sorted.h);
+    for (auto* cells : {&draft.mesh.fluid, &draft.mesh.solid}) {
+        for (auto& t : cells->nodes) {
+            for (int& i : t) i = rank[i];
+            std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+        }
+    }
+    for (auto& patch : draft.mesh.patches)
+        for (auto& face : patch.faces)
+            for (int& i : face) i = rank[i];
+}
+
+State<2> toState(Draft&& draft) {
+    State<2> state;
+    const int n = static_cast<int>(draft.x.size());
+    state.nodes.resize(n);
+    for (int i = 0; i < n; ++i) state.nodes.id[i] = i;
+    state.nodes.x = state.nodes.X = std::move(draft.x);
+    state.nodes.v = std::move(draft.v);
+    state.nodes.h = std::move(draft.h);
+    state.mesh = std::move(draft.mesh);
+    state.nextId = n;
+    return state;
+}
+
+}  // namespace
+
+MeshResult buildMesh(const MeshDescription& description) {
+    checkDescription(description);
+    checkCount(description);
+
+    double smallest = description.meshSize > 0 ? description.meshSize : std::numeric_limits<double>::max();
+    for (const auto& body : description.bodies)
+        if (body.meshSize > 0) smallest = std::min(smallest, body.meshSize);
+    const Arrangement arrangement = arrange(description, 1e-6 * smallest);
+    const SizeField size(description, arrangement);
+    const BoundaryNodes boundary = divideBoundary(arrangement, size);
+    checkBoundary(description, arrangement, boundary);
+
+    const int nBodies = static_cast<int>(description.bodies.size());
+    std::vector<Region> regions;
+    for (int b = 0; b < nBodies; ++b) regions.push_back(regionOf(description, b, arrangement, boundary));
+    MeshResult result;
+    result.warnings = checkRegions(description, arrangement, boundary, regions);
+
+    Draft draft;
+    draft.x = boundary.x;
+    draft.h = boundary.h;
+    draft.v.assign(draft.x.size(), Vec<2>::Zero());
+    result.bodies.resize(nBodies);
+    for (const auto type : {BodyType::fluid, BodyType::solid})  // solids last: theirs is the interface's velocity
+        for (int b = 0; b < nBodies; ++b)
+            if (description.bodies[b].type == type)
+                result.bodies[b] = addBody(draft, description, b, regions[b], size);
+    addPatches(draft, description, arrangement, boundary);
+    alignWithWalls(draft, description);
+    renumber(draft);
+    for (int b = 0; b < nBodies; ++b) {
+        auto& cells = description.bodies[b].type == BodyType::fluid ? draft.mesh.fluid : draft.mesh.solid;
+        std::sort(cells.nodes.begin() + result.bodies[b].first, cells.nodes.begin() + result.bodies[b].last);
+    }
+    result.state = toState(std::move(draft));
+    return result;
+}
+
+}  // namespace pfem

@@ -1,0 +1,101 @@
+#include "mesher/readMeshDict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace pfem {
+
+namespace {
+
+Vec<2> toPoint(const Dictionary& dict, const std::string& key, const std::vector<double>& c) {
+    if (c.size() == 2 || (c.size() == 3 && c[2] == 0)) return {c[0], c[1]};
+    dict.fatal(key, fmt::format("A point of '{}' has {} coordinates; write (x y)", key, c.size()));
+}
+
+double readSize(const Dictionary& dict) {
+    if (!dict.found("meshSize")) return 0;
+    const double h = dict.get<double>("meshSize");
+    if (!(h > 0)) dict.fatal("meshSize", fmt::format("meshSize must be positive, not {:g}", h));
+    return h;
+}
+
+/// edges ( arc 1 2 (0.5 0.1)  arc 2 3 (0.6 0.2) );
+std::vector<ArcEdge> readArcs(const Dictionary& dict) {
+    std::vector<ArcEdge> arcs;
+    if (!dict.found("edges")) return arcs;
+    TokenReader tokens = dict.reader("edges");
+    tokens.list([&] {
+        const auto kind = tokens.read<std::string>();
+        if (kind != "arc") dict.fatal("edges", notValid(kind, "edge type", {"arc"}));
+        ArcEdge arc;
+        arc.from = tokens.read<int>();
+        arc.to = tokens.read<int>();
+        arc.through = toPoint(dict, "edges", tokens.read<std::vector<double>>());
+        arcs.push_back(arc);
+    });
+    tokens.end();
+    return arcs;
+}
+
+void readOutline(const Dictionary& dict, const std::string& pointsKey, Outline& outline) {
+    outline.name = dict.keyword();
+    outline.places[""] = dict.where();
+    for (const auto& key : dict.keys()) outline.places[key] = dict.where(key);
+    for (const auto& c : dict.get<std::vector<std::vector<double>>>(pointsKey))
+        outline.points.push_back(toPoint(dict, pointsKey, c));
+    outline.arcs = readArcs(dict);
+    outline.meshSize = readSize(dict);
+}
+
+Body readBody(const Dictionary& dict, const std::vector<std::string>& materials) {
+    Body body;
+    readOutline(dict, "vertices", body);
+    body.type = dict.choice("type", {"fluid", "solid"}) == "fluid" ? BodyType::fluid : BodyType::solid;
+    body.material = dict.get<std::string>("material");
+    if (std::find(materials.begin(), materials.end(), body.material) == materials.end())
+        dict.fatal("material", notValid(body.material, "material", materials));
+    if (dict.found("velocity"))
+        body.velocity = toPoint(dict, "velocity", dict.get<std::vector<double>>("velocity"));
+    const std::vector<std::string> patterns = {"unstructured", "checkerboard", "oneWay", "crossed"};
+    const auto pattern = dict.choice("pattern", patterns, "unstructured");
+    body.pattern = static_cast<Pattern>(std::find(patterns.begin(), patterns.end(), pattern) - patterns.begin());
+    if (body.pattern != Pattern::unstructured && dict.found("cells")) {
+        const auto cells = dict.get<std::vector<int>>("cells");
+        if (cells.size() != 2 || cells[0] < 1 || cells[1] < 1)
+            dict.fatal("cells", "cells must be two positive numbers: along the edges 0-1 and 1-2");
+        body.cells = {cells[0], cells[1]};
+    }
+    body.holes = dict.get<std::vector<std::string>>("holes", {});
+    const Dictionary patches = dict.subDictOrEmpty("patches");
+    for (const auto& name : patches.keys()) {
+        const Dictionary patch = patches.subDict(name);
+        for (const auto& pair : patch.get<std::vector<std::vector<int>>>("edges")) {
+            if (pair.size() != 2)
+                patch.fatal("edges", "An edge is named by its two vertices: edges ((3 0));");
+            body.patches[name].push_back({pair[0], pair[1]});
+        }
+    }
+    return body;
+}
+
+}  // namespace
+
+MeshDescription readMeshDict(const Dictionary& dict, const std::vector<std::string>& materials,
+                             double meshSize) {
+    MeshDescription mesh;
+    mesh.meshSize = readSize(dict);
+    if (meshSize > 0) mesh.meshSize = meshSize;
+    for (const auto& body : dict.dictList("bodies")) mesh.bodies.push_back(readBody(body, materials));
+    if (mesh.bodies.empty()) dict.fatal("bodies", "There is no body to mesh");
+    if (!dict.found("walls")) return mesh;
+    for (const auto& wallDict : dict.dictList("walls")) {
+        Wall wall;
+        readOutline(wallDict, "points", wall);
+        wall.closed = wallDict.get("closed", false);
+        mesh.walls.push_back(wall);
+    }
+    return mesh;
+}
+
+}  // namespace pfem

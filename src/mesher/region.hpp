@@ -1,0 +1,49 @@
+#pragma once
+// One body after the division of its boundary: what the fillers of its inside work on.
+
+#include "mesher/meshDescription.hpp"
+#include "mesher/sizeField.hpp"
+
+namespace pfem {
+
+/// Points 0 .. nBoundary-1 lie on the boundary and stay; those of the inside follow.
+struct Region {
+    Points<2> x;
+    int nBoundary = 0;
+    std::vector<int> boundaryNode;  // of BoundaryNodes, per boundary point
+    std::vector<Face<2>> edges;     // the body on the left of a -> b; first the outer loop, then holes
+    std::vector<bool> onWall;       // per edge: part of a rigid wall
+    bool fluid = true;
+    double h = 0;                   // the body's size [m]
+    Vec<2> rowDirection = Vec<2>::UnitX();  // of the lattice: along the longest straight edge
+    Vec<2> rowOrigin = Vec<2>::Zero();      // a node on that edge
+
+    double area() const;       // [m2]
+    double perimeter() const;  // [m]
+    bool contains(const Vec<2>& point) const;
+
+    /// A point inside, next to the outer loop.
+    Vec<2> probe() const;
+};
+
+Region regionOf(const MeshDescription& mesh, int body, const Arrangement& arrangement,
+                const BoundaryNodes& boundary);
+
+/// Fill the region with nearly equilateral triangles; adds its inner points.
+std::vector<Simplex<2>> fillUnstructured(Region& region, const SizeField& size);
+
+/// Fill a four-sided region with `cells` along its edges 0-1 and 1-2; adds its inner points.
+std::vector<Simplex<2>> fillPattern(Region& region, Pattern pattern, std::array<int, 2> cells);
+
+// ---- the steps of fillUnstructured ----
+
+/// Points on the bisectors of corners, so that a corner has at least two triangles. Not to be moved.
+void seedCorners(Region& region);
+
+/// Points of hexagonal lattices at the wanted distance.
+void seedLattice(Region& region, const SizeField& size);
+
+/// Move the points from `first` on until the triangles are nearly equilateral; returns the triangles.
+std::vector<Simplex<2>> smoothAndTriangulate(Region& region, int first, const SizeField& size);
+
+}  // namespace pfem

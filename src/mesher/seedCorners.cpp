@@ -1,0 +1,43 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "mesher/binGrid.hpp"
+#include "mesher/region.hpp"
+
+namespace pfem {
+
+// A corner whose two edges belong to one triangle has no inner edge: between rigid walls that triangle has
+// no free node (no pressure can move it). A point on the bisector, one edge length from the corner, lies
+// inside the circle through the corner and its neighbours, so that Delaunay joins it to the corner.
+// Corners above 150 degrees get two or more triangles by themselves; acute ones keep one, except between walls.
+void seedCorners(Region& region) {
+    std::vector<int> previous(region.nBoundary, -1), next(region.nBoundary, -1);  // edges
+    for (int e = 0; e < static_cast<int>(region.edges.size()); ++e) {
+        next[region.edges[e][0]] = e;
+        previous[region.edges[e][1]] = e;
+    }
+    const double degree = std::numbers::pi / 180;
+    for (int i = 0; i < region.nBoundary; ++i) {
+        const Vec<2> out = region.x[region.edges[next[i]][1]] - region.x[i];
+        const Vec<2> in = region.x[region.edges[previous[i]][0]] - region.x[i];
+        const double angle = std::atan2(out.x() * in.y() - out.y() * in.x(), out.dot(in));
+        if (angle <= 0 || angle > 150 * degree) continue;  // reflex, or wide enough
+        const bool betweenWalls = region.fluid && region.onWall[next[i]] && region.onWall[previous[i]];
+        if (angle < 80 * degree && !betweenWalls) continue;
+        const Vec<2> bisector = (out.normalized() + in.normalized()).normalized();
+        const double h = std::min(out.norm(), in.norm());
+        const Vec<2> x = region.x[i] + h * bisector;
+        bool free = true;
+        for (const auto& [a, b] : region.edges) {
+            if (a == i || b == i) continue;
+            free = free && segmentDistance(x, region.x[a], region.x[b]) > 0.35 * h;
+        }
+        for (std::size_t k = region.nBoundary; k < region.x.size(); ++k)
+            free = free && (region.x[k] - x).norm() > 0.6 * h;
+        if (free) region.x.push_back(x);
+    }
+}
+
+}  // namespace pfem

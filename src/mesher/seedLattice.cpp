@@ -1,0 +1,85 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mesher/binGrid.hpp"
+#include "mesher/region.hpp"
+
+namespace pfem {
+
+namespace {
+
+/// Calls f(x) for the points of a hexagonal lattice with edge length h inside the region, row by row.
+template <class F>
+void forLattice(const Region& region, double h, F&& f) {
+    const Vec<2> e = region.rowDirection, n(-e.y(), e.x());
+    const auto local = [&](const Vec<2>& x) {
+        const Vec<2> d = x - region.rowOrigin;
+        return Vec<2>(d.dot(e), d.dot(n));
+    };
+    double low = std::numeric_limits<double>::max(), high = -low;
+    for (int i = 0; i < region.nBoundary; ++i) {
+        const double y = local(region.x[i]).y();
+        low = std::min(low, y);
+        high = std::max(high, y);
+    }
+    // rows that fit between parallel sides
+    const double ideal = 0.5 * std::sqrt(3.0) * h;
+    const double rowHeight = (high - low) / std::max(1.0, std::round((high - low) / ideal));
+    const auto firstRow = static_cast<long>(std::floor(low / rowHeight));
+    const auto nRows = static_cast<long>(std::ceil(high / rowHeight)) - firstRow + 1;
+    std::vector<std::vector<double>> crossings(nRows);  // abscissae where the row passes the boundary
+    for (const auto& [a, b] : region.edges) {
+        Vec<2> p = local(region.x[a]), q = local(region.x[b]);
+        if (p.y() > q.y()) std::swap(p, q);
+        // half open, so that a vertex on the row counts once
+        for (long r = std::lround(std::ceil(p.y() / rowHeight)); r * rowHeight < q.y(); ++r) {
+            const double s = (r * rowHeight - p.y()) / (q.y() - p.y());
+            crossings[r - firstRow].push_back(p.x() + s * (q.x() - p.x()));
+        }
+    }
+    for (long r = 0; r < nRows; ++r) {
+        auto& at = crossings[r];
+        std::sort(at.begin(), at.end());
+        const double shift = ((r + firstRow) & 1) ? 0.5 * h : 0.0;
+        for (std::size_t k = 0; k + 1 < at.size(); k += 2) {
+            for (long i = std::lround(std::ceil((at[k] - shift) / h)); i * h + shift < at[k + 1]; ++i)
+                f(Vec<2>(region.rowOrigin + (i * h + shift) * e + (r + firstRow) * rowHeight * n));
+        }
+    }
+}
+
+}  // namespace
+
+void seedLattice(Region& region, const SizeField& size) {
+    constexpr double clearance = 0.6;  // least distance from the boundary / size
+    constexpr double spacing = 0.75;   // least distance between points of different lattices / size
+    BinGrid boundary(region.h), points(region.h);
+    for (int e = 0; e < static_cast<int>(region.edges.size()); ++e)
+        boundary.addSegment(e, region.x[region.edges[e][0]], region.x[region.edges[e][1]]);
+    for (int i = region.nBoundary; i < static_cast<int>(region.x.size()); ++i)
+        points.add(i, region.x[i], region.x[i]);
+
+    const bool graded = size.graded(region.h);
+    const double ratio = 1.25;
+    const int levels = graded ? static_cast<int>(std::ceil(std::log(region.h / size.smallest()) / std::log(ratio))) : 0;
+    for (int level = levels; level >= 0; --level) {
+        const double h = region.h / std::pow(ratio, level);
+        forLattice(region, h, [&](const Vec<2>& x) {
+            const double s = size.at(x, region.h);
+            if (graded && (s > h * std::sqrt(ratio) || (s <= h / std::sqrt(ratio) && level < levels))) return;
+            bool free = true;
+            boundary.forEachNear(x, clearance * s, [&](int e) {
+                free = free && segmentDistance(x, region.x[region.edges[e][0]], region.x[region.edges[e][1]]) >=
+                                   clearance * s;
+            });
+            if (!free) return;
+            points.forEachNear(x, spacing * s, [&](int i) { free = free && (region.x[i] - x).norm() >= spacing * s; });
+            if (!free) return;
+            points.add(static_cast<int>(region.x.size()), x, x);
+            region.x.push_back(x);
+        });
+    }
+}
+
+}  // namespace pfem
