@@ -40,15 +40,20 @@ struct ControlDict {
           oneOf({"endTime", "writeNow", "noWriteNow", "nextWrite"}));
         v.required("endTime", endTime, "s", "end of the run");
         v.required("deltaT", deltaT, "s", "time step; with adjustTimeStep the first one", positive);
-        v("writeControl", writeControl, "-", "what writeInterval means; adjustable: steps end exactly on the write times",
+        v("writeControl", writeControl, "-",
+          "what writeInterval means; adjustable: steps end exactly on the write times",
           oneOf(WriteControl::modes()));
         v("writeInterval", writeInterval, "steps or s", "distance of the written times", positive);
-        v("purgeWrite", purgeWrite, "-", "number of time folders of this run to keep; 0 keeps all", atLeast(0));
-        v("writeFormat", writeFormat, "-", "accepted; the state is always binary", oneOf({"ascii", "binary"}));
+        v("purgeWrite", purgeWrite, "-", "number of time folders of this run to keep; 0 keeps all",
+          atLeast(0));
+        v("writeFormat", writeFormat, "-", "accepted; the state is always binary",
+          oneOf({"ascii", "binary"}));
         v("writePrecision", writePrecision, "digits", "digits of tables in postProcessing", between(1, 17));
         v("writeCompression", writeCompression, "-", "accepted; the state is always compressed");
-        v("timeFormat", timeFormat, "-", "how time folders are named", oneOf({"general", "fixed", "scientific"}));
-        v("timePrecision", timePrecision, "digits", "digits of time names; raised when two would be equal", between(1, 17));
+        v("timeFormat", timeFormat, "-", "how time folders are named",
+          oneOf({"general", "fixed", "scientific"}));
+        v("timePrecision", timePrecision, "digits", "digits of time names; raised when two would be equal",
+          between(1, 17));
         v("runTimeModifiable", runTimeModifiable, "-", "read this file again when it changes during the run");
         v("adjustTimeStep", adjustTimeStep, "-", "choose the time step by maxCo");
         v("maxCo", maxCo, "-", "Courant number that the step must not exceed", positive);

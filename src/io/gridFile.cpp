@@ -36,8 +36,7 @@ private:
 class SilentWindow : public vtkOutputWindow {
 public:
     static SilentWindow* New();
-    vtkTypeMacro(SilentWindow, vtkOutputWindow)
-    void DisplayText(const char*) override {}
+    vtkTypeMacro(SilentWindow, vtkOutputWindow) void DisplayText(const char*) override {}
     void DisplayErrorText(const char* text) override { error_->add(text); }
     void DisplayWarningText(const char*) override {}
     void DisplayGenericWarningText(const char*) override {}
@@ -46,8 +45,8 @@ public:
 };
 vtkStandardNewMacro(SilentWindow)
 
-/// VTK is silent while this lives; its first error can be asked for.
-class VtkErrors {
+    /// VTK is silent while this lives; its first error can be asked for.
+    class VtkErrors {
 public:
     VtkErrors() : previous_(vtkOutputWindow::GetInstance()) {
         auto window = vtkSmartPointer<SilentWindow>::New();
@@ -71,7 +70,8 @@ private:
     vtkLogger::Verbosity verbosity_ = vtkLogger::GetCurrentVerbosityCutoff();
 };
 
-[[noreturn]] void fail(const std::string& what, const std::filesystem::path& file, const std::string& reason) {
+[[noreturn]] void fail(const std::string& what, const std::filesystem::path& file,
+                       const std::string& reason) {
     throw UserError(what + " \"" + file.string() + "\": " + reason, {file.string(), 0});
 }
 

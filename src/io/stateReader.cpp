@@ -59,7 +59,9 @@ std::vector<double> toScalars(vtkDoubleArray* array) {
 template <int Dim>
 Nodes<Dim> readNodes(vtkUnstructuredGrid* grid, const std::filesystem::path& file, bool& hasStress) {
     const CheckedArrays arrays(file, grid->GetPointData(), grid->GetNumberOfPoints());
-    auto points = [&](const std::string& name) { return toPoints<Dim>(arrays.doubles(name, 3), arrays, name); };
+    auto points = [&](const std::string& name) {
+        return toPoints<Dim>(arrays.doubles(name, 3), arrays, name);
+    };
     Nodes<Dim> nodes;
     nodes.id = arrays.integers("id");
     auto* positions = vtkDoubleArray::SafeDownCast(grid->GetPoints()->GetData());
@@ -82,7 +84,8 @@ Nodes<Dim> readNodes(vtkUnstructuredGrid* grid, const std::filesystem::path& fil
                 nodes.sigma[i][c] = sigma->GetTypedComponent(static_cast<vtkIdType>(i), c);
     }
     for (std::size_t i = 0; i < nodes.id.size(); ++i)
-        if (nodes.id[i] < 0 || (i > 0 && nodes.id[i] <= nodes.id[i - 1])) arrays.fail("the node ids do not ascend");
+        if (nodes.id[i] < 0 || (i > 0 && nodes.id[i] <= nodes.id[i - 1]))
+            arrays.fail("the node ids do not ascend");
     return nodes;
 }
 
@@ -117,8 +120,9 @@ void checkSum(const std::filesystem::path& file, const std::string& name, const 
         throw UserError("cannot read \"" + file.string() + "\": uniform/time has no checksum for it",
                         {file.string(), 0});
     if (sum->second != "none" && sum->second != checksumOf(text))
-        throw UserError("cannot read \"" + file.string() + "\": truncated or corrupt (not the checksum in uniform/time)",
-                        {file.string(), 0});
+        throw UserError(
+            "cannot read \"" + file.string() + "\": truncated or corrupt (not the checksum in uniform/time)",
+            {file.string(), 0});
 }
 
 template <int Dim>
@@ -143,7 +147,9 @@ Part<Dim> readPart(const std::filesystem::path& folder, const std::string& name,
 
 template <int Dim>
 bool sameBits(const Nodes<Dim>& a, std::size_t i, const Nodes<Dim>& b, std::size_t j) {
-    auto same = [](const auto& s, const auto& t) { return std::memcmp(s.data(), t.data(), sizeof(double) * static_cast<std::size_t>(s.size())) == 0; };
+    auto same = [](const auto& s, const auto& t) {
+        return std::memcmp(s.data(), t.data(), sizeof(double) * static_cast<std::size_t>(s.size())) == 0;
+    };
     auto equal = [](double s, double t) { return std::memcmp(&s, &t, sizeof s) == 0; };
     return same(a.x[i], b.x[j]) && same(a.v[i], b.v[j]) && same(a.a[i], b.a[j]) && same(a.X[i], b.X[j]) &&
            equal(a.p[i], b.p[j]) && equal(a.h[i], b.h[j]) && equal(a.dropVolume[i], b.dropVolume[j]);
@@ -159,16 +165,19 @@ Nodes<Dim> mergeNodes(const std::vector<const Part<Dim>*>& parts) {
     };
     std::vector<Source> sources;
     for (std::size_t k = 0; k < parts.size(); ++k)
-        for (std::size_t i = 0; i < parts[k]->nodes.id.size(); ++i) sources.push_back({parts[k]->nodes.id[i], k, i});
-    std::sort(sources.begin(), sources.end(),
-              [](const Source& a, const Source& b) { return std::tie(a.id, a.part) < std::tie(b.id, b.part); });
+        for (std::size_t i = 0; i < parts[k]->nodes.id.size(); ++i)
+            sources.push_back({parts[k]->nodes.id[i], k, i});
+    std::sort(sources.begin(), sources.end(), [](const Source& a, const Source& b) {
+        return std::tie(a.id, a.part) < std::tie(b.id, b.part);
+    });
     Nodes<Dim> nodes;
     for (const Source& s : sources) {
         const Nodes<Dim>& from = parts[s.part]->nodes;
         if (nodes.id.empty() || nodes.id.back() != s.id)
             nodes.append(from, static_cast<int>(s.node));
         else if (!sameBits(nodes, nodes.id.size() - 1, from, s.node))
-            parts[s.part]->fail(fmt::format("node {} has other values than in another file of the folder", s.id));
+            parts[s.part]->fail(
+                fmt::format("node {} has other values than in another file of the folder", s.id));
     }
     return nodes;
 }
@@ -209,7 +218,8 @@ std::vector<Patch<Dim>> patchesOf(const Part<Dim>& part, const Nodes<Dim>& nodes
             part.fail(fmt::format("face {} has the unexpected type {}", f, part.types[f]));
         if (part.values[f] < 0 || part.values[f] >= static_cast<Id>(patches.size()))
             part.fail(fmt::format("face {} belongs to patch {} of {}", f, part.values[f], patches.size()));
-        patches[static_cast<std::size_t>(part.values[f])].faces.push_back(toIndices<Dim>(part.cells[f], nodes));
+        patches[static_cast<std::size_t>(part.values[f])].faces.push_back(
+            toIndices<Dim>(part.cells[f], nodes));
     }
     return patches;
 }
@@ -231,7 +241,8 @@ State<Dim> readState(const std::filesystem::path& folder) {
     state.ledger = uniform.ledger;
     state.nodes = mergeNodes<Dim>({&solid, &fluid, &boundary});
     if (!state.nodes.id.empty() && state.nodes.id.back() >= state.nextId)
-        fluid.fail(fmt::format("node {} is not below nextId {} in uniform/time", state.nodes.id.back(), state.nextId));
+        fluid.fail(fmt::format("node {} is not below nextId {} in uniform/time", state.nodes.id.back(),
+                               state.nextId));
     state.mesh.fluid = simplicesOf(fluid, state.nodes, true);
     state.mesh.solid = simplicesOf(solid, state.nodes, false);
     state.mesh.patches = patchesOf(boundary, state.nodes);

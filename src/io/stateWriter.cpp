@@ -41,7 +41,8 @@ void mark(std::vector<char>& member, const CellList& cells) {
     for (const auto& cell : cells)
         for (const int i : cell) {
             if (i < 0 || i >= static_cast<int>(member.size()))
-                throw InternalError(fmt::format("writeState: cell refers to node {} of {}", i, member.size()));
+                throw InternalError(
+                    fmt::format("writeState: cell refers to node {} of {}", i, member.size()));
             member[static_cast<std::size_t>(i)] = 1;
         }
 }
@@ -91,12 +92,14 @@ void addNodes(vtkUnstructuredGrid* grid, const State<Dim>& state, const NodeSet&
 
     auto points = vtkSmartPointer<vtkPoints>::New();
     points->SetDataTypeToDouble();
-    points->SetData(makeArray<vtkDoubleArray>("Points", 3, n, [&](int i, int c) { return component<Dim>(all.x[at(i)], c); }));
+    points->SetData(makeArray<vtkDoubleArray>("Points", 3, n,
+                                              [&](int i, int c) { return component<Dim>(all.x[at(i)], c); }));
     grid->SetPoints(points);
 
     vtkPointData* data = grid->GetPointData();
     auto vectors = [&](const std::string& name, const Points<Dim>& values) {
-        data->AddArray(makeArray<vtkDoubleArray>(name, 3, n, [&](int i, int c) { return component<Dim>(values[at(i)], c); }));
+        data->AddArray(makeArray<vtkDoubleArray>(
+            name, 3, n, [&](int i, int c) { return component<Dim>(values[at(i)], c); }));
     };
     auto scalars = [&](const std::string& name, const std::vector<double>& values) {
         data->AddArray(makeArray<vtkDoubleArray>(name, 1, n, [&](int i, int) { return values[at(i)]; }));
@@ -105,8 +108,9 @@ void addNodes(vtkUnstructuredGrid* grid, const State<Dim>& state, const NodeSet&
     vectors("U", all.v);
     vectors("a", all.a);
     scalars("p", all.p);
-    data->AddArray(makeArray<vtkDoubleArray>(
-        "D", 3, n, [&](int i, int c) { return component<Dim>(all.x[at(i)], c) - component<Dim>(all.X[at(i)], c); }));
+    data->AddArray(makeArray<vtkDoubleArray>("D", 3, n, [&](int i, int c) {
+        return component<Dim>(all.x[at(i)], c) - component<Dim>(all.X[at(i)], c);
+    }));
     vectors("X", all.X);
     if (withStress) {
         auto sigma = makeArray<vtkDoubleArray>(
@@ -118,7 +122,8 @@ void addNodes(vtkUnstructuredGrid* grid, const State<Dim>& state, const NodeSet&
     scalars("dropVolume", all.dropVolume);
     for (const auto& [name, values] : extra.nodal) scalars(name, values);
     for (const auto& [name, values] : extra.nodalFlags)
-        data->AddArray(makeArray<vtkUnsignedCharArray>(name, 1, n, [&, &flags = values](int i, int) { return flags[at(i)]; }));
+        data->AddArray(makeArray<vtkUnsignedCharArray>(
+            name, 1, n, [&, &flags = values](int i, int) { return flags[at(i)]; }));
     data->SetActiveVectors("U");
     data->SetActiveScalars("p");
 }
@@ -165,17 +170,21 @@ void checkSizes(const State<Dim>& state, const ExtraFields& extra) {
     const Nodes<Dim>& nodes = state.nodes;
     const std::size_t n = nodes.id.size();
     bool ok = nodes.x.size() == n && nodes.v.size() == n && nodes.a.size() == n && nodes.p.size() == n &&
-              nodes.sigma.size() == n && nodes.X.size() == n && nodes.h.size() == n && nodes.dropVolume.size() == n;
+              nodes.sigma.size() == n && nodes.X.size() == n && nodes.h.size() == n &&
+              nodes.dropVolume.size() == n;
     for (std::size_t i = 1; i < n && ok; ++i) ok = nodes.id[i - 1] < nodes.id[i];
     if (!ok) throw InternalError("writeState: nodal arrays differ in length or ids do not ascend");
-    if (n > 0 && nodes.id.back() >= state.nextId) throw InternalError("writeState: nextId is not above all ids");
+    if (n > 0 && nodes.id.back() >= state.nextId)
+        throw InternalError("writeState: nextId is not above all ids");
     for (const Cells<Dim>* cells : {&state.mesh.fluid, &state.mesh.solid})
         if (cells->nodes.size() != cells->material.size())
             throw InternalError("writeState: the number of materials is not the number of cells");
     for (const auto& [name, values] : extra.nodal)
-        if (values.size() != n) throw InternalError("writeState: extra field '" + name + "' has a wrong length");
+        if (values.size() != n)
+            throw InternalError("writeState: extra field '" + name + "' has a wrong length");
     for (const auto& [name, values] : extra.nodalFlags)
-        if (values.size() != n) throw InternalError("writeState: extra field '" + name + "' has a wrong length");
+        if (values.size() != n)
+            throw InternalError("writeState: extra field '" + name + "' has a wrong length");
 }
 
 }  // namespace
@@ -206,7 +215,8 @@ void writeState(const std::filesystem::path& folder, const State<Dim>& state, co
 
     const NodeSet boundaryNodes(members.boundary);
     auto boundary = newGrid(state);
-    addNodes(boundary.Get(), state, boundaryNodes, stressOutsideSolid(state, boundaryNodes, members.solid), extra);
+    addNodes(boundary.Get(), state, boundaryNodes, stressOutsideSolid(state, boundaryNodes, members.solid),
+             extra);
     CellBuilder boundaryCells;
     std::vector<std::string> names;
     for (const auto& patch : state.mesh.patches) {
@@ -221,7 +231,8 @@ void writeState(const std::filesystem::path& folder, const State<Dim>& state, co
     UniformTime uniform{state.time, state.nextId, state.ledger, {}};
     for (const auto& file : files) uniform.checksums[file] = checksumOf(readText(staged.path() / file));
     std::filesystem::create_directory(staged.path() / "uniform");
-    writeAtomically(staged.path() / "uniform" / "time", formatUniformTime(uniform, folder.filename().string()));
+    writeAtomically(staged.path() / "uniform" / "time",
+                    formatUniformTime(uniform, folder.filename().string()));
     staged.commit();
 }
 

@@ -73,7 +73,9 @@ TEST(Options, PositionalArguments) {
 
 TEST(Options, HelpInTwoColumns) {
     const std::string help = helpText("pfemTest", "A test.", testSpec());
-    EXPECT_NE(help.find("Usage: pfemTest [OPTIONS]\nOptions:\n  -case <dir>       Specify"), std::string::npos) << help;
+    EXPECT_NE(help.find("Usage: pfemTest [OPTIONS]\nOptions:\n  -case <dir>       Specify"),
+              std::string::npos)
+        << help;
     EXPECT_NE(help.find("\n  -help             Display"), std::string::npos) << help;
     EXPECT_EQ(help.find("--"), std::string::npos) << help;
     EXPECT_NE(help.find("Using: libpfem-"), std::string::npos);
@@ -82,15 +84,25 @@ TEST(Options, HelpInTwoColumns) {
 TEST(RunApplication, ErrorsBecomeExitCodes) {
     const TemporaryFolder folder;
     const std::string path = folder.path().string();
-    EXPECT_EQ(runWith({"-case", path.c_str()}, [](const Options& o) { return o.openCase().root().empty() ? 3 : 0; }), 0);
+    EXPECT_EQ(runWith({"-case", path.c_str()},
+                      [](const Options& o) { return o.openCase().root().empty() ? 3 : 0; }),
+              0);
     testing::internal::CaptureStderr();
-    EXPECT_EQ(runWith({"-case", "/nonexist"}, [](const Options& o) { return o.openCase().root().empty() ? 3 : 0; }), 1);
-    EXPECT_EQ(testing::internal::GetCapturedStderr(),
-              "\n\n--> FOAM FATAL ERROR:\npfemTest: cannot open case directory \"/nonexist\"\n\nFOAM exiting\n\n");
+    EXPECT_EQ(
+        runWith({"-case", "/nonexist"}, [](const Options& o) { return o.openCase().root().empty() ? 3 : 0; }),
+        1);
+    EXPECT_EQ(
+        testing::internal::GetCapturedStderr(),
+        "\n\n--> FOAM FATAL ERROR:\npfemTest: cannot open case directory \"/nonexist\"\n\nFOAM exiting\n\n");
     testing::internal::CaptureStderr();
-    EXPECT_EQ(runWith({}, [](const Options&) -> int { throw UserError("Entry 'x' not found", {"/c/d", 28}); }), 1);
-    EXPECT_EQ(testing::internal::GetCapturedStderr(),
-              "\n\n--> FOAM FATAL IO ERROR:\nEntry 'x' not found\n\nfile: /c/d at line 28.\n\nFOAM exiting\n\n");
+    EXPECT_EQ(runWith({},
+                      [](const Options&) -> int {
+                          throw UserError("Entry 'x' not found", {"/c/d", 28});
+                      }),
+              1);
+    EXPECT_EQ(
+        testing::internal::GetCapturedStderr(),
+        "\n\n--> FOAM FATAL IO ERROR:\nEntry 'x' not found\n\nfile: /c/d at line 28.\n\nFOAM exiting\n\n");
     for (const auto& thrower : std::vector<std::function<int(const Options&)>>{
              [](const Options&) -> int { throw StepFailure("no convergence"); },
              [](const Options&) -> int { throw InternalError("bug"); },
@@ -111,19 +123,21 @@ TEST(RunApplication, HelpAndWrongOption) {
 
 TEST(StartBanner, HasTheLinesOfALog) {
     const std::string banner = startBanner(parse({"-case", "."}), Case("."));
-    for (const char* part : {"Build  : PFEM=", "\nExec   : pfemTest -case .\n", "\nDate   : ", "\nTime   : ", "\nHost   : ",
-                             "\nPID    : ", "\nCase   : /", "\nnProcs : 1\n// * * *"})
+    for (const char* part : {"Build  : PFEM=", "\nExec   : pfemTest -case .\n", "\nDate   : ", "\nTime   : ",
+                             "\nHost   : ", "\nPID    : ", "\nCase   : /", "\nnProcs : 1\n// * * *"})
         EXPECT_NE(banner.find(part), std::string::npos) << part;
 }
 
 class TimeSelection : public testing::Test {
 protected:
     TimeSelection() {
-        for (const char* name : {"0", "0.05", "0.1", "0.15", "0.2"}) writeState(folder_.path() / name, State<2>{});
+        for (const char* name : {"0", "0.05", "0.1", "0.15", "0.2"})
+            writeState(folder_.path() / name, State<2>{});
     }
     std::string select(std::vector<const char*> arguments) const {
         std::string names;
-        for (const auto& time : selectTimes(Case(folder_.path()), parse(std::move(arguments)))) names += time.name + " ";
+        for (const auto& time : selectTimes(Case(folder_.path()), parse(std::move(arguments))))
+            names += time.name + " ";
         return names;
     }
     TemporaryFolder folder_;
@@ -147,7 +161,8 @@ TEST_F(TimeSelection, IncompleteFoldersAreNamed) {
     std::filesystem::remove(folder_.path() / "0.2/fluid.vtu");
     testing::internal::CaptureStderr();
     EXPECT_EQ(select({"-latestTime"}), "0.15 ");
-    EXPECT_NE(testing::internal::GetCapturedStderr().find("0.2 is ignored: fluid.vtu is missing"), std::string::npos);
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("0.2 is ignored: fluid.vtu is missing"),
+              std::string::npos);
 }
 
 }  // namespace pfem

@@ -74,7 +74,9 @@ TEST_F(TimeControlTest, FixedStepsDoNotAccumulateRounding) {
 }
 
 TEST_F(TimeControlTest, AdjustableWritesFallExactlyOnMultiples) {
-    write("endTime 2; deltaT 0.0137; writeControl adjustable; writeInterval 0.1; adjustTimeStep yes; maxDeltaT 0.03;");
+    write(
+        "endTime 2; deltaT 0.0137; writeControl adjustable; writeInterval 0.1; adjustTimeStep yes; maxDeltaT "
+        "0.03;");
     TimeControl control = open();
     TimeInfo time;
     int k = 0;
@@ -132,11 +134,14 @@ TEST_F(TimeControlTest, ARejectedStepStillMeetsTheWriteTime) {
 }
 
 TEST_F(TimeControlTest, RestartTakesTheSameSteps) {
-    write("endTime 1; deltaT 0.0137; writeControl adjustable; writeInterval 0.1; adjustTimeStep yes; maxCo 0.3;");
+    write(
+        "endTime 1; deltaT 0.0137; writeControl adjustable; writeInterval 0.1; adjustTimeStep yes; maxCo "
+        "0.3;");
     auto rate = [](const TimeInfo& t) { return 10 * (1.5 + std::sin(20 * t.value)); };
     TimeControl whole = open();
     std::vector<TimeInfo> all{TimeInfo{}};
-    while (whole.running(all.back())) all.push_back(whole.advance(all.back(), whole.deltaT(all.back(), rate(all.back()))));
+    while (whole.running(all.back()))
+        all.push_back(whole.advance(all.back(), whole.deltaT(all.back(), rate(all.back()))));
     for (std::size_t from = 0; from < all.size(); from += 7) {
         TimeControl restarted = open();
         TimeInfo time = all[from];
@@ -194,7 +199,8 @@ TEST_F(TimeControlTest, PurgeKeepsTheLastAndNeverTheStart) {
 }
 
 TEST_F(TimeControlTest, EditingTheFileStopsTheRun) {
-    const std::string rest = " endTime 100; deltaT 0.1; writeControl timeStep; writeInterval 5; runTimeModifiable yes;";
+    const std::string rest =
+        " endTime 100; deltaT 0.1; writeControl timeStep; writeInterval 5; runTimeModifiable yes;";
     for (const auto& [word, steps, writes] : std::vector<std::tuple<std::string, int, bool>>{
              {"writeNow", 3, true}, {"noWriteNow", 3, false}, {"nextWrite", 5, true}}) {
         write("stopAt endTime;" + rest);

@@ -1,9 +1,9 @@
 #include <fstream>
 
 #include "../io/sampleState.hpp"
+#include "base/error.hpp"
 #include "case/case.hpp"
 #include "case/timeFolders.hpp"
-#include "base/error.hpp"
 #include "io/stateFiles.hpp"
 
 namespace pfem {
@@ -36,7 +36,8 @@ TEST(TimeFolders, NumbersOnlySortedByValue) {
     const TemporaryFolder folder;
     State<2> empty;
     for (const char* name : {"10", "9", "0", "0.05", "1e-06", "-1"}) writeState(folder.path() / name, empty);
-    for (const char* name : {"constant", "0.orig", "system", "nan", "inf", "0x10", "1.2.3", ".5.tmp", "5abc", ".0.1.tmp"})
+    for (const char* name :
+         {"constant", "0.orig", "system", "nan", "inf", "0x10", "1.2.3", ".5.tmp", "5abc", ".0.1.tmp"})
         fs::create_directories(folder.path() / name);
     std::ofstream(folder.path() / "7") << "a file";
     fs::create_directories(folder.path() / "3");

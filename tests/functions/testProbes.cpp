@@ -64,7 +64,8 @@ protected:
             << "water { type newtonian; rho [1 -3 0 0 0 0 0] 1000; } rubber { type hypoelastic; rho 1200; }";
     }
     FunctionObjects<2> make(const std::string& text, const std::string& startName = "0") const {
-        return {Case(folder_.path()), Dictionary::parse("functions { " + text + " }", "controlDict"), startName};
+        return {Case(folder_.path()), Dictionary::parse("functions { " + text + " }", "controlDict"),
+                startName};
     }
     /// Rows of a table, comments left out; brackets are blanks.
     std::vector<std::vector<double>> rows(const std::string& file) const {
@@ -108,8 +109,9 @@ TEST(Locate, DegenerateCellsAreSkipped) {
 }
 
 TEST_F(Functions, FixedProbesReproduceLinearFields) {
-    auto functions = make("inside { type probes; libs (sampling); fields (p U D sigma); writePrecision 15;"
-                          " probeLocations ((0.31 0.47 0) (1.62 0.13 0) (1 0.5 0) (9 9 9)); }");
+    auto functions = make(
+        "inside { type probes; libs (sampling); fields (p U D sigma); writePrecision 15;"
+        " probeLocations ((0.31 0.47 0) (1.62 0.13 0) (1 0.5 0) (9 9 9)); }");
     State<2> state = blocks(4);
     state.time.value = 0.25;
     functions.start(state);  // index 0: a row
@@ -147,7 +149,8 @@ TEST_F(Functions, ProbeFileLooksLikeOpenFoams) {
 
 TEST_F(Functions, AttachedProbeFollowsARotation) {
     const std::string text =
-        "tip { type probes; fields (D U); fixedLocations false; writePrecision 15; probeLocations ((1.9 0.7 0) (2 1 0)); }";
+        "tip { type probes; fields (D U); fixedLocations false; writePrecision 15; probeLocations ((1.9 0.7 "
+        "0) (2 1 0)); }";
     State<2> state = blocks(3);
     writeState(folder_.path() / "0", state);
     auto functions = make(text);
@@ -177,7 +180,8 @@ TEST_F(Functions, AttachedProbeFollowsARotation) {
 }
 
 TEST_F(Functions, AttachedProbeInTheFluidSurvivesRestartAndNoticesRemoval) {
-    const std::string text = "drop { type probes; fields (p); fixedLocations false; probeLocations ((0.3 0.6 0)); }";
+    const std::string text =
+        "drop { type probes; fields (p); fixedLocations false; probeLocations ((0.3 0.6 0)); }";
     State<2> state = blocks(2);
     writeState(folder_.path() / "0", state);
     State<2> later = state;
@@ -194,9 +198,10 @@ TEST_F(Functions, AttachedProbeInTheFluidSurvivesRestartAndNoticesRemoval) {
 }
 
 TEST_F(Functions, EachHasItsOwnWriteControl) {
-    auto functions = make("often { type probes; fields (p); points ((0 0 0)); writeInterval 2; }"
-                          "seldom { type probes; fields (p); points ((0 0 0)); writeControl runTime; writeInterval 0.5; }"
-                          "off { type probes; enabled no; fields (p); points ((0 0 0)); }");
+    auto functions = make(
+        "often { type probes; fields (p); points ((0 0 0)); writeInterval 2; }"
+        "seldom { type probes; fields (p); points ((0 0 0)); writeControl runTime; writeInterval 0.5; }"
+        "off { type probes; enabled no; fields (p); points ((0 0 0)); }");
     State<2> state = blocks(1);
     functions.start(state);
     for (int k = 1; k <= 10; ++k) {
@@ -249,7 +254,8 @@ TEST_F(Functions, MassLedgerAddsUp) {
         EXPECT_NEAR(table[0][c], first[c], 1e-9) << c;
         EXPECT_NEAR(table[1][c], second[c], 1e-9) << c;
     }
-    EXPECT_NE(readText(folder_.path() / "postProcessing/mass/0/fluidVolume.dat").find("insertion"), std::string::npos);
+    EXPECT_NE(readText(folder_.path() / "postProcessing/mass/0/fluidVolume.dat").find("insertion"),
+              std::string::npos);
     // restart compares with the beginning, not with the restart
     auto restarted = make("mass { type massLedger; }", "0.1");
     restarted.start(state);
