@@ -11,6 +11,7 @@ namespace pfem {
 struct Location {
     std::string file;
     int line = 0;
+    int lastLine = 0;  ///< of a dictionary that was found wanting; 0: one line only
 };
 
 /// A mistake in a dictionary, mesh, file or command line. Printed by the application in

@@ -1,0 +1,21 @@
+#pragma once
+// Files named in dictionaries: reading them and finding them in the etc folders.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "base/error.hpp"
+
+namespace pfem {
+
+/// The whole file; UserError at `where` (or naming the file itself) if it is missing, a folder or unreadable.
+std::string fileText(const std::filesystem::path& file, const Location& where);
+
+/// In $PFEM_ETC, ~/.pfem, the etc folder of the installation; the first that has the file.
+std::optional<std::filesystem::path> findEtc(const std::filesystem::path& name);
+
+/// <etc>, <case>, <constant>, <system> at the start, and ~ .
+std::filesystem::path expandTags(const std::string& name);
+
+}  // namespace pfem
