@@ -29,9 +29,10 @@ public:
 
     int width() const { return precision_ + 7; }
 
-private:
+    /// Text as it is.
     void line(const std::string& text);
 
+private:
     std::filesystem::path file_;
     std::ofstream stream_;
     int precision_;

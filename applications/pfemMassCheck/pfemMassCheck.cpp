@@ -1,0 +1,59 @@
+// Fluid mass over the time folders, split by the causes in the ledger. Exit code 1 beyond the tolerance.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "application/runApplication.hpp"
+#include "application/timeRanges.hpp"
+#include "base/error.hpp"
+#include "functions/massLedger.hpp"
+#include "io/stateFiles.hpp"
+
+using namespace pfem;
+
+namespace {
+
+void printTable(const std::vector<MassBalance>& rows) {
+    const auto causes = causesOf(rows);
+    for (const auto& title : massTitles(causes)) fmt::print(" {:>16}", title);
+    for (const auto& row : rows) {
+        fmt::print("\n");
+        for (const double value : massColumns(row, causes)) fmt::print(" {:>16.8g}", value);
+    }
+    fmt::print("\n\n");
+}
+
+double readTolerance(const Options& options) {
+    const auto tolerance = asNumber(options.get("tolerance", "0.015"));
+    if (!tolerance || *tolerance < 0) throw UserError("-tolerance needs a number, not '" + options.get("tolerance") + "'");
+    return *tolerance;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    OptionsSpec spec;
+    spec.addTimeSelection().add("tolerance", "number", "Largest relative change of mass (default 0.015)");
+    return runApplication(
+        argc, argv, "Fluid mass of the written times and what changed it.", spec, [](const Options& options) {
+            const Case theCase = options.openCase();
+            const double tolerance = readTolerance(options);
+            const auto first = listTimes(theCase.root()).complete;
+            const auto times = selectTimes(theCase, options);
+            const MassAccount<2> account(readState<2>(theCase.time(first.front().name)), readDensities(theCase.root()));
+
+            std::vector<MassBalance> rows;
+            for (const auto& time : times) rows.push_back(account.balance(readState<2>(theCase.time(time.name))));
+            printTable(rows);
+
+            const MassBalance* worst = &rows.front();
+            for (const auto& row : rows)
+                if (std::abs(row.relativeChange) > std::abs(worst->relativeChange)) worst = &row;
+            const bool good = std::abs(worst->relativeChange) <= tolerance;
+            fmt::print("The mass changes by at most {:.3g} % (at time {:g}), {} the tolerance of {:.3g} %.\n",
+                       100 * worst->relativeChange, worst->time, good ? "within" : "BEYOND", 100 * tolerance);
+            return good ? 0 : 1;
+        });
+}

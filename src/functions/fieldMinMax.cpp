@@ -1,0 +1,79 @@
+#include "functions/fieldMinMax.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/error.hpp"
+
+namespace pfem {
+
+namespace {
+
+/// Is node i part of the region? (flags per node)
+template <int Dim>
+std::vector<char> nodesOf(const State<Dim>& state, Region region) {
+    std::vector<char> member(state.nodes.id.size(), region == Region::both ? 1 : 0);
+    const auto& cells = region == Region::solid ? state.mesh.solid : state.mesh.fluid;
+    for (const auto& simplex : cells.nodes)
+        for (const int i : simplex) member[static_cast<std::size_t>(i)] = 1;
+    return member;
+}
+
+/// A scalar itself, otherwise the Frobenius norm (the off-diagonal components of a tensor count twice).
+double magnitude(const std::vector<double>& value) {
+    if (value.size() == 1) return value[0];
+    double sum = 0;
+    for (std::size_t c = 0; c < value.size(); ++c) {
+        const bool shear = value.size() == 6 && (c == 1 || c == 2 || c == 4);
+        sum += (shear ? 2 : 1) * value[c] * value[c];
+    }
+    return std::sqrt(sum);
+}
+
+}  // namespace
+
+template <int Dim>
+FieldMinMax<Dim>::FieldMinMax(const Dictionary& dict, const FunctionContext<Dim>& context) : context_(context) {
+    for (const auto& name : dict.get<std::vector<std::string>>("fields")) {
+        try {
+            fields_.push_back(nodalField<Dim>(name));
+        } catch (const UserError& error) {
+            dict.fatal("fields", error.what());
+        }
+    }
+}
+
+template <int Dim>
+void FieldMinMax<Dim>::start(const State<Dim>&) {
+    table_.emplace(context_.folder / "fieldMinMax.dat", context_.precision);
+    table_->comment("Field minima and maxima");
+    table_->comment("Time\tfield\tmin\tlocation(min)\tmax\tlocation(max)");
+}
+
+template <int Dim>
+void FieldMinMax<Dim>::execute(const State<Dim>& state) {
+    auto location = [&](int i) {
+        const auto& x = state.nodes.x[static_cast<std::size_t>(i)];
+        return fmt::format("({} {} {})", table_->number(x[0]), table_->number(x[1]),
+                           table_->number(Dim == 3 ? x[Dim - 1] : 0.0));
+    };
+    for (const auto& field : fields_) {
+        const auto member = nodesOf(state, field.region);
+        int lowest = -1, highest = -1;
+        double low = 0, high = 0;
+        for (int i = 0; i < state.nodes.size(); ++i) {
+            if (member[static_cast<std::size_t>(i)] == 0) continue;
+            const double value = magnitude(field.value(state.nodes, i));
+            if (lowest < 0 || value < low) low = value, lowest = i;
+            if (highest < 0 || value > high) high = value, highest = i;
+        }
+        if (lowest < 0) continue;
+        table_->line(fmt::format("{}\t{}\t{}\t{}\t{}\t{}", table_->number(state.time.value), field.name,
+                                 table_->number(low), location(lowest), table_->number(high), location(highest)));
+    }
+}
+
+template class FieldMinMax<2>;
+
+}  // namespace pfem

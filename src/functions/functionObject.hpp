@@ -1,0 +1,51 @@
+#pragma once
+// What is computed beside the solution while a run goes on (controlDict.functions), or afterwards by a utility.
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+#include "dictionary/dictionary.hpp"
+#include "state/state.hpp"
+
+namespace pfem {
+
+/// What a function may know beside the state.
+template <int Dim>
+struct FunctionContext {
+    std::string name;               // the entry's name in `functions`
+    std::filesystem::path folder;   // postProcessing/<name>/<startTime>
+    std::filesystem::path root;     // of the case
+    int precision = 6;              // significant digits of the columns
+    std::string startName;          // name of the time folder at which the run began
+};
+
+template <int Dim>
+class FunctionObject {
+public:
+    virtual ~FunctionObject() = default;
+
+    /// Called once with the state at the start, before any execute().
+    virtual void start(const State<Dim>& state) = 0;
+
+    /// Evaluate the state and write a row. Throws UserError when the file cannot be written.
+    virtual void execute(const State<Dim>& state) = 0;
+};
+
+/// The state from which the run started first: that of the earliest complete time folder, or `state` itself
+/// when there is none before it. Functions that compare with the beginning ask for it, so that a restarted run
+/// gives the same answer.
+template <int Dim>
+State<Dim> initialState(const std::filesystem::path& root, const State<Dim>& state);
+
+/// The words for `type`.
+std::vector<std::string> functionTypes();
+
+/// Make a function of the type that `dict` names. Throws UserError, for an unknown type with the valid list.
+template <int Dim>
+std::unique_ptr<FunctionObject<Dim>> makeFunction(const Dictionary& dict, const FunctionContext<Dim>& context);
+
+}  // namespace pfem

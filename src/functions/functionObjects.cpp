@@ -1,0 +1,65 @@
+#include "functions/functionObjects.hpp"
+
+namespace pfem {
+
+namespace {
+
+WriteControl readWriteControl(const Dictionary& dict) {
+    const auto mode = dict.choice("writeControl", WriteControl::modes(), "timeStep");
+    const double interval = dict.get("writeInterval", 1.0);
+    try {
+        return {mode, interval};
+    } catch (const UserError& error) {
+        dict.fatal("writeInterval", error.what());
+    }
+}
+
+}  // namespace
+
+template <int Dim>
+FunctionObjects<Dim>::FunctionObjects(const Case& theCase, const Dictionary& dict, const std::string& startName,
+                                      int precision, const std::string& onlyType) {
+    const Dictionary functions = dict.subDictOrEmpty("functions");
+    for (const auto& name : functions.keys()) {
+        if (!functions.isDict(name)) functions.fatal(name, "'" + name + "' in functions is not a dictionary");
+        const Dictionary& entry = functions.subDict(name);
+        if (!entry.get("enabled", true)) continue;
+        if (!onlyType.empty() && entry.get<std::string>("type") != onlyType) continue;
+        const FunctionContext<Dim> context{name, theCase.postProcessing(name, startName), theCase.root(),
+                                           entry.get("writePrecision", precision), startName};
+        functions_.push_back({name, readWriteControl(entry), makeFunction<Dim>(entry, context)});
+    }
+}
+
+template <int Dim>
+void FunctionObjects<Dim>::start(const State<Dim>& state) {
+    prepare(state);
+    if (state.time.index == 0) executeAll(state);
+}
+
+template <int Dim>
+void FunctionObjects<Dim>::prepare(const State<Dim>& state) {
+    for (auto& entry : functions_) entry.function->start(state);
+}
+
+template <int Dim>
+std::vector<std::string> FunctionObjects<Dim>::names() const {
+    std::vector<std::string> names;
+    for (const auto& entry : functions_) names.push_back(entry.name);
+    return names;
+}
+
+template <int Dim>
+void FunctionObjects<Dim>::execute(const State<Dim>& state) {
+    for (auto& entry : functions_)
+        if (entry.control.due(state.time)) entry.function->execute(state);
+}
+
+template <int Dim>
+void FunctionObjects<Dim>::executeAll(const State<Dim>& state) {
+    for (auto& entry : functions_) entry.function->execute(state);
+}
+
+template class FunctionObjects<2>;
+
+}  // namespace pfem

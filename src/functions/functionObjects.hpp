@@ -1,0 +1,47 @@
+#pragma once
+// All functions of controlDict.functions, each at its own writeControl.
+
+#include <memory>
+#include <vector>
+
+#include "case/controlDict.hpp"
+#include "functions/functionObject.hpp"
+
+namespace pfem {
+
+template <int Dim>
+class FunctionObjects {
+public:
+    /// `dict`: the dictionary that holds `functions`. `startName`: the time folder at which the run began; the
+    /// tables go to postProcessing/<name>/<startName>. `onlyType`: leave out all others ("": none left out).
+    /// Throws UserError.
+    FunctionObjects(const Case& theCase, const Dictionary& dict, const std::string& startName, int precision = 6,
+                    const std::string& onlyType = "");
+
+    /// With the state at the start. Rows are written only when that is the very first of the case (index 0), so
+    /// that the tables of a restarted run join without a repeated row.
+    void start(const State<Dim>& state);
+
+    /// As start(), but never writes a row.
+    void prepare(const State<Dim>& state);
+
+    /// After each step: those whose writeControl says so write a row.
+    void execute(const State<Dim>& state);
+
+    /// All of them write a row, whatever their writeControl (utilities that work on time folders).
+    void executeAll(const State<Dim>& state);
+
+    /// The entries' names.
+    std::vector<std::string> names() const;
+    int size() const { return static_cast<int>(functions_.size()); }
+
+private:
+    struct Entry {
+        std::string name;
+        WriteControl control;
+        std::unique_ptr<FunctionObject<Dim>> function;
+    };
+    std::vector<Entry> functions_;
+};
+
+}  // namespace pfem

@@ -1,0 +1,59 @@
+#include <map>
+
+#include "case/timeFolders.hpp"
+#include "functions/fieldMinMax.hpp"
+#include "functions/functionObject.hpp"
+#include "functions/massLedger.hpp"
+#include "functions/probes.hpp"
+#include "io/stateFiles.hpp"
+
+namespace pfem {
+
+namespace {
+
+template <int Dim>
+using Factory = std::unique_ptr<FunctionObject<Dim>> (*)(const Dictionary&, const FunctionContext<Dim>&);
+
+template <int Dim, class Function>
+std::unique_ptr<FunctionObject<Dim>> make(const Dictionary& dict, const FunctionContext<Dim>& context) {
+    return std::make_unique<Function>(dict, context);
+}
+
+template <int Dim>
+const std::map<std::string, Factory<Dim>>& table() {
+    static const std::map<std::string, Factory<Dim>> entries{
+        {"fieldMinMax", make<Dim, FieldMinMax<Dim>>},
+        {"massLedger", make<Dim, MassLedger<Dim>>},
+        {"probes", make<Dim, Probes<Dim>>},
+    };
+    return entries;
+}
+
+}  // namespace
+
+std::vector<std::string> functionTypes() {
+    std::vector<std::string> words;
+    for (const auto& [word, factory] : table<2>()) words.push_back(word);
+    return words;
+}
+
+template <int Dim>
+State<Dim> initialState(const std::filesystem::path& root, const State<Dim>& state) {
+    const auto times = listTimes(root).complete;
+    if (state.time.index == 0 || times.empty() || times.front().value >= state.time.value) return state;
+    return readState<Dim>(root / times.front().name);
+}
+
+template <int Dim>
+std::unique_ptr<FunctionObject<Dim>> makeFunction(const Dictionary& dict, const FunctionContext<Dim>& context) {
+    const auto type = dict.get<std::string>("type");
+    const auto entry = table<Dim>().find(type);
+    if (entry == table<Dim>().end()) dict.fatal("type", notValid(type, "function type", functionTypes()));
+    dict.found("libs");  // accepted and ignored
+    return entry->second(dict, context);
+}
+
+template State<2> initialState<2>(const std::filesystem::path&, const State<2>&);
+template std::unique_ptr<FunctionObject<2>> makeFunction<2>(const Dictionary&, const FunctionContext<2>&);
+
+}  // namespace pfem

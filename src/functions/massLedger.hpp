@@ -1,0 +1,39 @@
+#pragma once
+// `type massLedger`: the fluid's mass and where its changes come from.
+
+#include <optional>
+#include <vector>
+
+#include "functions/functionObject.hpp"
+#include "functions/massBalance.hpp"
+#include "io/table.hpp"
+
+namespace pfem {
+
+/// Writes postProcessing/<name>/<startTime>/fluidVolume.dat: time, volume, mass, its relative change since the first
+/// time of the case, one column per cause of the ledger, their sum, and what the sum leaves unexplained.
+/// The density is that of constant/materials.
+template <int Dim>
+class MassLedger : public FunctionObject<Dim> {
+public:
+    MassLedger(const Dictionary& dict, const FunctionContext<Dim>& context);
+
+    void start(const State<Dim>& state) override;
+    void execute(const State<Dim>& state) override;
+
+private:
+    FunctionContext<Dim> context_;
+    std::optional<MassAccount<Dim>> account_;
+    std::vector<MassBalance> rows_;  // kept: a cause that appears late brings a column for all rows
+    std::vector<std::string> causes_;
+    std::optional<Table> table_;
+};
+
+/// The names of the columns and one row, for the file and for pfemMassCheck.
+std::vector<std::string> massTitles(const std::vector<std::string>& causes);
+std::vector<double> massColumns(const MassBalance& balance, const std::vector<std::string>& causes);
+
+/// All causes that occur in the rows, sorted.
+std::vector<std::string> causesOf(const std::vector<MassBalance>& rows);
+
+}  // namespace pfem
