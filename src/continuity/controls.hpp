@@ -1,0 +1,35 @@
+#pragma once
+// What a user may set of the stabilised continuity equation, in system/pfemSolution.
+
+#include <string>
+
+#include "dictionary/entries.hpp"
+
+namespace pfem {
+
+/// Sub-dictionary `continuity`.
+struct ContinuityControls {
+    double schurScale = 1;
+    double complianceScale = 2;
+    double freeSurfaceScale = 4;
+    std::string freeSurfacePressure = "weak";
+    bool interfaceAcceleration = true;
+    double volumeCorrectionTime = 0.05;
+
+    template <class Visitor>
+    void entries(Visitor& v) {
+        v("schurScale", schurScale, "-", "factor of the Schur term dt/(2 rho) L in the pressure matrix", nonNegative);
+        v("complianceScale", complianceScale, "-",
+          "factor of the elastic interface's compliance B A_s^-1 B^T in the pressure matrix", nonNegative);
+        v("freeSurfaceScale", freeSurfaceScale, "-", "factor of tau M_G in the pressure matrix", positive);
+        v("freeSurfacePressure", freeSurfacePressure, "-", "how p = 0 is imposed at the free surface",
+          oneOf({"weak", "strong"}));
+        v("interfaceAcceleration", interfaceAcceleration, "-",
+          "moving solids and walls enter the stabilisation with their normal acceleration", any);
+        v("volumeCorrectionTime", volumeCorrectionTime, "s",
+          "time scale of the correction that returns the fluid's volume to its initial value; 0 = none",
+          nonNegative);
+    }
+};
+
+}  // namespace pfem

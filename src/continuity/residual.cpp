@@ -1,0 +1,90 @@
+#include "continuity/residual.hpp"
+
+namespace pfem {
+
+namespace {
+
+/// Per cell: the volume rate that each of its nodes receives, and the stabilisation's flux tau |e| (grad p - rho g).
+template <int Dim>
+struct CellTerms {
+    std::vector<double> rate;
+    std::vector<double> compressibility;  // |e|/(d+1) / kappa
+    std::vector<Vec<Dim>> flux;
+};
+
+template <int Dim>
+CellTerms<Dim> cellTerms(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
+                         const std::vector<double>& tau, const Points<Dim>& v, const std::vector<double>& p,
+                         double divTarget) {
+    CellTerms<Dim> t;
+    t.rate.resize(cells.nodes.size());
+    t.compressibility.resize(cells.nodes.size());
+    t.flux.resize(cells.nodes.size());
+#pragma omp parallel for schedule(static)
+    for (int e = 0; e < cells.size(); ++e) {
+        const auto& g = patches.element[e];
+        double div = 0;
+        Vec<Dim> gradP = Vec<Dim>::Zero();
+        for (int k = 0; k <= Dim; ++k) {
+            div += v[cells.nodes[e][k]].dot(g.gradN[k]);
+            gradP += p[cells.nodes[e][k]] * g.gradN[k];
+        }
+        const Newtonian& fluid = problem.fluid(cells.material[e]);
+        const double share = g.measure / (Dim + 1);
+        t.rate[e] = share * (div - divTarget);
+        t.compressibility[e] = share / fluid.kappa;
+        t.flux[e] = tau[e] * g.measure * (gradP - fluid.rho * problem.gravity);
+    }
+    return t;
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<double> continuityResidual(const Problem<Dim>& problem, const ContinuityControls& controls,
+                                       const Cells<Dim>& cells, const Topology<Dim>& topology,
+                                       const Patches<Dim>& patches, const std::vector<double>& tau,
+                                       const Nodes<Dim>& trial, const std::vector<double>& pOld, double dt,
+                                       double divTarget) {
+    const auto terms = cellTerms<Dim>(problem, cells, patches, tau, trial.v, trial.p, divTarget);
+    const NodeToCells& around = topology.fluid;
+    std::vector<double> R(trial.size(), 0.0);
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < topology.nNodes(); ++i) {
+        double compressibility = 0;
+        for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
+            const int e = around.cell[s];
+            compressibility += terms.compressibility[e];
+            R[i] += terms.rate[e] + terms.flux[e].dot(patches.element[e].gradN[around.corner[s]]);
+        }
+        R[i] += compressibility * (trial.p[i] - pOld[i]) / dt;
+    }
+
+    for (const auto& face : topology.faces) {
+        if (face.kind == FaceKind::wall) continue;
+        if (face.kind == FaceKind::interface && !controls.interfaceAcceleration) continue;
+        const Newtonian& fluid = problem.fluid(cells.material[face.cell]);
+        const auto& g = patches.element[face.cell];
+        const Vec<Dim> area = faceArea<Dim>(trial.x, face.nodes);
+        const double measure = area.norm();
+        if (measure == 0) continue;
+        const Vec<Dim> n = area / measure;
+        const double weight = tau[face.cell] * measure / Dim;
+        for (int node : face.nodes) R[node] += weight * fluid.rho * trial.a[node].dot(n);
+        if (face.kind == FaceKind::interface) continue;
+
+        const double twoOverH = 2 * measure / (Dim * g.measure);
+        Vec<Dim> dn = Vec<Dim>::Zero();  // L n of the cell
+        for (int k = 0; k <= Dim; ++k) dn += trial.v[cells.nodes[face.cell][k]] * g.gradN[k].dot(n);
+        const double viscous = 2 * fluid.mu * dn.dot(n);
+        for (int node : face.nodes) R[node] += weight * twoOverH * (trial.p[node] - viscous);
+    }
+    return R;
+}
+
+template std::vector<double> continuityResidual<2>(const Problem<2>&, const ContinuityControls&,
+                                                   const Cells<2>&, const Topology<2>&, const Patches<2>&,
+                                                   const std::vector<double>&, const Nodes<2>&,
+                                                   const std::vector<double>&, double, double);
+
+}  // namespace pfem

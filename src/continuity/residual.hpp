@@ -1,0 +1,22 @@
+#pragma once
+// Stabilised continuity (28)-(33), p positive in compression.
+
+#include "continuity/controls.hpp"
+#include "integration/nodalPatches.hpp"
+#include "state/problem.hpp"
+
+namespace pfem {
+
+/// R_I = Omega_I/(kappa dt) (p_I - p_I^n) + Omega_I (div_I - divTarget) + tau [(L + M_G) p - f]_I  [m2/s].
+///   L:   |e| grad N_I . grad p per cell,       f: |e| grad N_I . rho g per cell
+///   free-surface faces: M_G = (2/h_n) |face|/d,  f -= |face|/d (rho a_n - (2/h_n) 2 mu d_n)
+///   interface faces:                             f -= |face|/d rho a_n
+/// with h_n the cell's height over the face and n its outward normal. Wet nodes; zero elsewhere.
+template <int Dim>
+std::vector<double> continuityResidual(const Problem<Dim>& problem, const ContinuityControls& controls,
+                                       const Cells<Dim>& cells, const Topology<Dim>& topology,
+                                       const Patches<Dim>& patches, const std::vector<double>& tau,
+                                       const Nodes<Dim>& trial, const std::vector<double>& pOld, double dt,
+                                       double divTarget);
+
+}  // namespace pfem

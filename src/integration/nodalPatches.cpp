@@ -1,0 +1,95 @@
+#include "integration/nodalPatches.hpp"
+
+namespace pfem {
+
+template <int Dim>
+Patches<Dim> makePatches(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around,
+                         const Points<Dim>& x) {
+    Patches<Dim> patches;
+    patches.cells = &cells;
+    patches.around = &around;
+    patches.element.resize(cells.size());
+    patches.volume.resize(x.size());
+    updatePatches(patches, x);
+    return patches;
+}
+
+template <int Dim>
+void updatePatches(Patches<Dim>& patches, const Points<Dim>& x) {
+    const int nCells = patches.nCells();
+    const int nNodes = patches.nNodes();
+    const NodeToCells& around = *patches.around;
+#pragma omp parallel
+    {
+#pragma omp for schedule(static)
+        for (int e = 0; e < nCells; ++e) patches.element[e] = simplexGeometry<Dim>(x, patches.cell(e));
+#pragma omp for schedule(static)
+        for (int i = 0; i < nNodes; ++i) {
+            double sum = 0;
+            for (int s = around.start[i]; s < around.start[i + 1]; ++s)
+                sum += patches.element[around.cell[s]].measure;
+            patches.volume[i] = sum / (Dim + 1);
+        }
+    }
+}
+
+template <int Dim>
+std::vector<Tensor<Dim>> elementGradient(const Patches<Dim>& patches, const Points<Dim>& v) {
+    std::vector<Tensor<Dim>> L(patches.nCells());
+#pragma omp parallel for schedule(static)
+    for (int e = 0; e < patches.nCells(); ++e) {
+        L[e].setZero();
+        for (int k = 0; k <= Dim; ++k) L[e] += v[patches.cell(e)[k]] * patches.element[e].gradN[k].transpose();
+    }
+    return L;
+}
+
+template <int Dim>
+std::vector<Tensor<Dim>> nodalMean(const Patches<Dim>& patches, const std::vector<Tensor<Dim>>& field) {
+    const NodeToCells& around = *patches.around;
+    std::vector<Tensor<Dim>> mean(patches.nNodes());
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < patches.nNodes(); ++i) {
+        mean[i].setZero();
+        if (around.count(i) == 0) continue;
+        for (int s = around.start[i]; s < around.start[i + 1]; ++s)
+            mean[i] += patches.element[around.cell[s]].measure * field[around.cell[s]];
+        mean[i] /= (Dim + 1) * patches.volume[i];
+    }
+    return mean;
+}
+
+template <int Dim>
+std::vector<Tensor<Dim>> elementMean(const Patches<Dim>& patches, const std::vector<Tensor<Dim>>& nodal) {
+    std::vector<Tensor<Dim>> mean(patches.nCells());
+#pragma omp parallel for schedule(static)
+    for (int e = 0; e < patches.nCells(); ++e) {
+        mean[e].setZero();
+        for (int node : patches.cell(e)) mean[e] += nodal[node];
+        mean[e] /= Dim + 1;
+    }
+    return mean;
+}
+
+template <int Dim>
+void addInternalForce(const Patches<Dim>& patches, const std::vector<Tensor<Dim>>& stress, Points<Dim>& force) {
+    const NodeToCells& around = *patches.around;
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < patches.nNodes(); ++i)
+        for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
+            const auto& g = patches.element[around.cell[s]];
+            force[i] += g.measure * (stress[around.cell[s]] * g.gradN[around.corner[s]]);
+        }
+}
+
+#define PFEM_INSTANTIATE(D)                                                                                  \
+    template Patches<D> makePatches<D>(const std::vector<Simplex<D>>&, const NodeToCells&, const Points<D>&); \
+    template void updatePatches<D>(Patches<D>&, const Points<D>&);                                           \
+    template std::vector<Tensor<D>> elementGradient<D>(const Patches<D>&, const Points<D>&);                 \
+    template std::vector<Tensor<D>> nodalMean<D>(const Patches<D>&, const std::vector<Tensor<D>>&);          \
+    template std::vector<Tensor<D>> elementMean<D>(const Patches<D>&, const std::vector<Tensor<D>>&);        \
+    template void addInternalForce<D>(const Patches<D>&, const std::vector<Tensor<D>>&, Points<D>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
+
+}  // namespace pfem

@@ -1,0 +1,54 @@
+#pragma once
+// Nodal patches (13)-(17), (20)-(21): volume and gradients of every node in ONE material.
+//
+// Omega_I = sum_e |e|/(d+1),   Omega_I G_IJ = sum_e |e|/(d+1) grad N_J^e   over the elements e around I.
+// The gradient rows are never stored: every operator below is one pass over elements and one over nodes, each
+// node gathering from its own elements, so that the bits do not depend on the number of threads.
+
+#include <vector>
+
+#include "base/types.hpp"
+#include "mesh/adjacency.hpp"
+#include "mesh/simplex.hpp"
+
+namespace pfem {
+
+template <int Dim>
+struct Patches {
+    const std::vector<Simplex<Dim>>* cells = nullptr;
+    const NodeToCells* around = nullptr;
+    std::vector<SimplexGeometry<Dim>> element;  // per cell
+    std::vector<double> volume;                 // Omega_I per node [m2 (2D), m3]; 0 outside the material
+
+    int nNodes() const { return static_cast<int>(volume.size()); }
+    int nCells() const { return static_cast<int>(element.size()); }
+    const Simplex<Dim>& cell(int e) const { return (*cells)[e]; }
+};
+
+/// Patches over `cells` (kept by reference), evaluated at the positions x.
+template <int Dim>
+Patches<Dim> makePatches(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around,
+                         const Points<Dim>& x);
+
+/// Volumes and gradients in the configuration x.
+template <int Dim>
+void updatePatches(Patches<Dim>& patches, const Points<Dim>& x);
+
+/// grad v in every element: L_ij = dv_i/dx_j.
+template <int Dim>
+std::vector<Tensor<Dim>> elementGradient(const Patches<Dim>& patches, const Points<Dim>& v);
+
+/// Nodal mean of an element field: (1/Omega_I) sum_e |e|/(d+1) f_e; zero outside the material. With
+/// f = grad v this is L_I = sum_J v_J (x) G_IJ.
+template <int Dim>
+std::vector<Tensor<Dim>> nodalMean(const Patches<Dim>& patches, const std::vector<Tensor<Dim>>& field);
+
+/// force_J += sum_e |e| S_e grad N_J: the nodal force that balances the element stress S.
+template <int Dim>
+void addInternalForce(const Patches<Dim>& patches, const std::vector<Tensor<Dim>>& stress, Points<Dim>& force);
+
+/// Element stress that makes addInternalForce equal to sum_I Omega_I sigma_I G_IJ: the mean of the cell's nodes.
+template <int Dim>
+std::vector<Tensor<Dim>> elementMean(const Patches<Dim>& patches, const std::vector<Tensor<Dim>>& nodal);
+
+}  // namespace pfem

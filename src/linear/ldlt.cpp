@@ -1,0 +1,92 @@
+#include "linear/ldlt.hpp"
+
+#include <cholmod.h>
+
+#include <cmath>
+
+#include "base/error.hpp"
+
+namespace pfem {
+
+struct Ldlt::Cholmod {
+    cholmod_common common;
+    cholmod_factor* factor = nullptr;
+    int n = 0;
+
+    Cholmod() {
+        cholmod_start(&common);
+        common.supernodal = CHOLMOD_SIMPLICIAL;  // LL^T would need positive definiteness
+        common.final_ll = 0;
+        common.nmethods = 1;
+        common.method[0].ordering = CHOLMOD_AMD;
+        common.postorder = 1;
+        common.print = 0;
+        common.error_handler = nullptr;
+    }
+    ~Cholmod() {
+        if (factor) cholmod_free_factor(&factor, &common);
+        cholmod_finish(&common);
+    }
+    Cholmod(const Cholmod&) = delete;
+    Cholmod& operator=(const Cholmod&) = delete;
+};
+
+namespace {
+
+/// A view of A for CHOLMOD; nothing is copied or changed.
+cholmod_sparse view(const SymmetricMatrix& A) {
+    cholmod_sparse s{};
+    s.nrow = s.ncol = static_cast<std::size_t>(A.n);
+    s.nzmax = A.row.size();
+    s.p = const_cast<int*>(A.start.data());
+    s.i = const_cast<int*>(A.row.data());
+    s.x = const_cast<double*>(A.value.data());
+    s.stype = -1;
+    s.itype = CHOLMOD_INT;
+    s.xtype = CHOLMOD_REAL;
+    s.dtype = CHOLMOD_DOUBLE;
+    s.sorted = 1;
+    s.packed = 1;
+    return s;
+}
+
+}  // namespace
+
+Ldlt::Ldlt() : cholmod_(std::make_unique<Cholmod>()) {}
+Ldlt::~Ldlt() = default;
+Ldlt::Ldlt(Ldlt&&) noexcept = default;
+Ldlt& Ldlt::operator=(Ldlt&&) noexcept = default;
+
+void Ldlt::analyze(const SymmetricMatrix& A) {
+    auto& c = *cholmod_;
+    if (c.factor) cholmod_free_factor(&c.factor, &c.common);
+    cholmod_sparse s = view(A);
+    c.n = A.n;
+    c.factor = cholmod_analyze(&s, &c.common);
+    if (!c.factor) throw StepFailure("matrix analysis failed (out of memory?)");
+}
+
+void Ldlt::factorize(const SymmetricMatrix& A) {
+    auto& c = *cholmod_;
+    cholmod_sparse s = view(A);
+    cholmod_factorize(&s, c.factor, &c.common);
+    if (c.common.status < CHOLMOD_OK || c.factor->minor < static_cast<std::size_t>(c.n))
+        throw StepFailure("matrix factorisation failed: a pivot vanishes or is not finite");
+}
+
+Eigen::VectorXd Ldlt::solve(const Eigen::VectorXd& b) const {
+    auto& c = *cholmod_;
+    cholmod_dense rhs{};
+    rhs.nrow = rhs.d = rhs.nzmax = static_cast<std::size_t>(c.n);
+    rhs.ncol = 1;
+    rhs.x = const_cast<double*>(b.data());
+    rhs.xtype = CHOLMOD_REAL;
+    rhs.dtype = CHOLMOD_DOUBLE;
+    cholmod_dense* solution = cholmod_solve(CHOLMOD_A, c.factor, &rhs, &c.common);
+    if (!solution) throw StepFailure("linear solution failed");
+    Eigen::VectorXd x = Eigen::Map<Eigen::VectorXd>(static_cast<double*>(solution->x), c.n);
+    cholmod_free_dense(&solution, &c.common);
+    return x;
+}
+
+}  // namespace pfem

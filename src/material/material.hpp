@@ -1,0 +1,44 @@
+#pragma once
+// Materials by name: constant/materials. One file per law; the table in material.cpp lists them.
+
+#include <string>
+#include <vector>
+
+#include "dictionary/dictionary.hpp"
+
+namespace pfem {
+
+/// Newtonian fluid: s = 2 mu (d - tr(d)/3 I), dp/dt = -kappa div v.
+struct Newtonian {
+    double rho = 1000;    // density [kg/m3]
+    double mu = 1e-3;     // dynamic viscosity [Pa s]
+    double kappa = 2.1e9;  // bulk modulus [Pa]
+};
+
+/// Hypoelastic solid: sigma = C : D integrated along the path, isotropic C.
+struct Hypoelastic {
+    double rho = 1000;  // density in the reference state [kg/m3]
+    double E = 1e6;     // Young's modulus [Pa]
+    double nu = 0;      // Poisson's ratio [-]
+
+    double lambda() const { return E * nu / ((1 + nu) * (1 - 2 * nu)); }
+    double mu() const { return E / (2 * (1 + nu)); }
+};
+
+enum class MaterialKind { fluid, solid };
+
+/// One named material; only the member of its kind is meaningful.
+struct Material {
+    std::string name;
+    MaterialKind kind = MaterialKind::fluid;
+    Newtonian fluid;
+    Hypoelastic solid;
+};
+
+/// Read all sub-dictionaries of constant/materials. Throws UserError for unknown types and absurd numbers.
+std::vector<Material> readMaterials(const Dictionary& dict);
+
+/// The material called `name`. Throws UserError with the list of names.
+const Material& findMaterial(const std::vector<Material>& all, const std::string& name);
+
+}  // namespace pfem

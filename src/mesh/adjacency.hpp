@@ -1,0 +1,44 @@
+#pragma once
+// Which cells meet at a node: compressed lists, built once per triangulation.
+
+#include <vector>
+
+#include "mesh/mesh.hpp"
+
+namespace pfem {
+
+/// Cells around node i: entries start[i] ... start[i+1]-1; `corner` is the node's local index in the cell.
+struct NodeToCells {
+    std::vector<int> start;
+    std::vector<int> cell;
+    std::vector<int> corner;
+
+    int count(int node) const { return start[node + 1] - start[node]; }
+};
+
+template <int Dim>
+NodeToCells nodeToCells(const std::vector<Simplex<Dim>>& cells, int nNodes);
+
+/// Neighbours of the nodes over cell edges, sorted, without the node itself (compressed lists).
+struct NodeToNodes {
+    std::vector<int> start;
+    std::vector<int> node;
+};
+
+template <int Dim>
+NodeToNodes nodeToNodes(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around);
+
+/// A face of a cell that no other cell of the same set shares.
+template <int Dim>
+struct BoundaryFace {
+    Face<Dim> nodes;  // cell on the left (2D)
+    int cell;
+    int opposite;  // local index of the cell's node that is not on the face
+};
+
+/// Faces without a neighbour, in the order of cells.
+template <int Dim>
+std::vector<BoundaryFace<Dim>> boundaryFaces(const std::vector<Simplex<Dim>>& cells,
+                                             const NodeToCells& around);
+
+}  // namespace pfem

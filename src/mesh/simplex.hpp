@@ -1,0 +1,83 @@
+#pragma once
+// Geometry of one simplex with linear shape functions N_k (k = 0 ... Dim).
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include "base/types.hpp"
+
+namespace pfem {
+
+/// measure = area (2D) or volume (3D), negative when inverted; gradN[k] = grad N_k, constant in the simplex.
+template <int Dim>
+struct SimplexGeometry {
+    double measure;
+    std::array<Vec<Dim>, Dim + 1> gradN;
+};
+
+/// measure = det J / Dim!,  J = [x_1 - x_0 ... x_Dim - x_0].
+template <int Dim>
+double simplexMeasure(const Points<Dim>& x, const Simplex<Dim>& s) {
+    Tensor<Dim> J;
+    for (int k = 0; k < Dim; ++k) J.col(k) = x[s[k + 1]] - x[s[0]];
+    return J.determinant() / (Dim == 2 ? 2.0 : 6.0);
+}
+
+/// grad N_k = row k-1 of J^{-1} (k >= 1), grad N_0 = -sum of the others. A flat simplex has zero gradients.
+template <int Dim>
+SimplexGeometry<Dim> simplexGeometry(const Points<Dim>& x, const Simplex<Dim>& s) {
+    Tensor<Dim> J;
+    for (int k = 0; k < Dim; ++k) J.col(k) = x[s[k + 1]] - x[s[0]];
+    const double det = J.determinant();
+    SimplexGeometry<Dim> g;
+    g.measure = det / (Dim == 2 ? 2.0 : 6.0);
+    if (det == 0.0) {
+        g.gradN.fill(Vec<Dim>::Zero());
+        return g;
+    }
+    const Tensor<Dim> inverse = J.inverse();
+    g.gradN[0].setZero();
+    for (int k = 0; k < Dim; ++k) {
+        g.gradN[k + 1] = inverse.row(k).transpose();
+        g.gradN[0] -= g.gradN[k + 1];
+    }
+    return g;
+}
+
+/// Centroid.
+template <int Dim>
+Vec<Dim> simplexCentroid(const Points<Dim>& x, const Simplex<Dim>& s) {
+    Vec<Dim> c = Vec<Dim>::Zero();
+    for (int node : s) c += x[node];
+    return c / (Dim + 1);
+}
+
+/// Circumradius (2D): R = abc / (4 |A|); infinite for a flat triangle.
+double circumradius(const Points<2>& x, const Simplex<2>& s);
+
+/// The face opposite to local node k, oriented with the simplex on its left (2D) / outward normal by the
+/// right-hand rule (3D).
+template <int Dim>
+Face<Dim> oppositeFace(const Simplex<Dim>& s, int k) {
+    if constexpr (Dim == 2) {
+        return {s[(k + 1) % 3], s[(k + 2) % 3]};
+    } else {
+        constexpr int face[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+        return {s[face[k][0]], s[face[k][1]], s[face[k][2]]};
+    }
+}
+
+/// Outward area vector of a face: its measure times the normal away from the cell.
+template <int Dim>
+Vec<Dim> faceArea(const Points<Dim>& x, const Face<Dim>& face) {
+    if constexpr (Dim == 2) {
+        const Vec<2> t = x[face[1]] - x[face[0]];
+        return {t[1], -t[0]};
+    } else {
+        const Vec<3> a = x[face[1]] - x[face[0]];
+        const Vec<3> b = x[face[2]] - x[face[0]];
+        return 0.5 * a.cross(b);
+    }
+}
+
+}  // namespace pfem

@@ -1,0 +1,51 @@
+#pragma once
+// What follows from the mesh alone, once per triangulation: roles of nodes and kinds of faces.
+
+#include <vector>
+
+#include "mesh/adjacency.hpp"
+#include "mesh/mesh.hpp"
+
+namespace pfem {
+
+/// What a patch does; said by constant/boundaryConditions.
+enum class PatchKind {
+    slipWall,    // rigid wall, fluid slides along it
+    noSlipWall,  // rigid wall, fluid sticks to it
+    clamped,     // nodes of a body that do not move
+    symmetry,    // nodes of a body that slide along the patch
+    traction     // loaded edge of a solid
+};
+
+inline bool isWall(PatchKind kind) { return kind == PatchKind::slipWall || kind == PatchKind::noSlipWall; }
+
+enum class FaceKind { freeSurface, interface, wall };
+
+/// A face of the fluid without a fluid neighbour.
+template <int Dim>
+struct FluidFace : BoundaryFace<Dim> {
+    FaceKind kind;
+};
+
+template <int Dim>
+struct Topology {
+    NodeToCells fluid;  // fluid cells around each node
+    NodeToCells solid;  // solid cells around each node
+    std::vector<FluidFace<Dim>> faces;
+    std::vector<unsigned char> onSolid;      // node of a solid body
+    std::vector<unsigned char> onWall;       // node of a rigid wall
+    std::vector<unsigned char> freeSurface;  // node of a free-surface face
+
+    int nNodes() const { return static_cast<int>(onSolid.size()); }
+    bool wet(int node) const { return fluid.count(node) > 0; }
+    bool isolated(int node) const { return !wet(node) && !onSolid[node] && !onWall[node]; }
+    bool interface(int node) const { return wet(node) && onSolid[node]; }
+};
+
+/// `kinds`: one per patch of the mesh.
+/// A fluid face is an interface where a solid face coincides, a wall where all its nodes are held by walls,
+/// solids or one symmetry patch, and free surface otherwise. Two free-surface nodes do not make a face.
+template <int Dim>
+Topology<Dim> makeTopology(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, int nNodes);
+
+}  // namespace pfem

@@ -1,0 +1,133 @@
+#include "momentum/boundaryConditions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/simplex.hpp"
+
+namespace pfem {
+
+namespace {
+
+/// Mean normal of the faces that a node belongs to; zero where they differ by more than 20 degrees.
+template <int Dim>
+struct NormalCollector {
+    std::vector<Vec<Dim>> sum;
+    std::vector<unsigned char> corner;
+
+    explicit NormalCollector(std::size_t n) : sum(n, Vec<Dim>::Zero()), corner(n, 0) {}
+
+    void add(int node, const Vec<Dim>& n) {
+        if (sum[node].squaredNorm() > 0 && sum[node].normalized().dot(n) < std::cos(20 * M_PI / 180))
+            corner[node] = 1;
+        sum[node] += n;
+    }
+    bool isCorner(int node) const { return corner[node] != 0; }
+    Vec<Dim> normal(int node) const {
+        return corner[node] || sum[node].squaredNorm() == 0 ? Vec<Dim>(Vec<Dim>::Zero())
+                                                            : Vec<Dim>(sum[node].normalized());
+    }
+};
+
+}  // namespace
+
+template <int Dim>
+BoundaryConditions<Dim> readBoundaryConditions(const Dictionary& dict, const std::vector<Patch<Dim>>& patches) {
+    static const std::vector<std::string> words = {"slip", "noSlip", "clamped", "symmetry", "traction"};
+    BoundaryConditions<Dim> result;
+    std::vector<std::string> names;
+    for (const auto& patch : patches) names.push_back(patch.name);
+    for (const auto& key : dict.keys())
+        if (key != "FoamFile" && dict.isDict(key) && std::find(names.begin(), names.end(), key) == names.end())
+            dict.fatal(key, notValid(key, "patch", names));
+
+    for (const auto& patch : patches) {
+        const Dictionary& entry = dict.subDict(patch.name);
+        const std::string type = entry.choice("type", words);
+        result.traction.push_back(Vec<Dim>::Zero());
+        if (type == "slip") result.kind.push_back(PatchKind::slipWall);
+        if (type == "noSlip") result.kind.push_back(PatchKind::noSlipWall);
+        if (type == "clamped") result.kind.push_back(PatchKind::clamped);
+        if (type == "symmetry") result.kind.push_back(PatchKind::symmetry);
+        if (type == "traction") {
+            result.kind.push_back(PatchKind::traction);
+            result.traction.back() = entry.get<Eigen::Vector3d>("traction").head<Dim>();
+        }
+    }
+    return result;
+}
+
+template <int Dim>
+NodeConstraints<Dim> nodeConstraints(const Mesh<Dim>& mesh, const BoundaryConditions<Dim>& conditions,
+                                     const Topology<Dim>& topology, const Points<Dim>& X) {
+    const std::size_t n = X.size();
+    NodeConstraints<Dim> c;
+    c.hold.assign(n, Hold::free);
+    c.normal.assign(n, Vec<Dim>::Zero());
+    c.slip.assign(n, 0);
+
+    NormalCollector<Dim> symmetry(n);
+    NormalCollector<Dim> wall(n);
+    std::vector<unsigned char> clamped(n, 0), slides(n, 0), noSlip(n, 0);
+    for (std::size_t k = 0; k < mesh.patches.size(); ++k)
+        for (const auto& face : mesh.patches[k].faces) {
+            const Vec<Dim> normal = faceArea<Dim>(X, face).normalized();
+            for (int node : face) {
+                if (conditions.kind[k] == PatchKind::clamped) clamped[node] = 1;
+                if (conditions.kind[k] == PatchKind::noSlipWall) noSlip[node] = 1;
+                if (isWall(conditions.kind[k])) wall.add(node, normal);
+                if (conditions.kind[k] == PatchKind::symmetry) {
+                    slides[node] = 1;
+                    symmetry.add(node, normal);
+                }
+            }
+        }
+
+    for (std::size_t i = 0; i < n; ++i) {
+        const int node = static_cast<int>(i);
+        if (slides[i]) {
+            c.hold[i] = symmetry.isCorner(node) ? Hold::fixed : Hold::slide;
+            c.normal[i] = symmetry.normal(node);
+        }
+        if (topology.onWall[i]) {
+            c.hold[i] = Hold::wall;
+            c.normal[i] = wall.normal(node);
+            c.slip[i] = !noSlip[i] && !wall.isCorner(node);
+        }
+        if (topology.onSolid[i] && topology.onWall[i]) c.hold[i] = Hold::fixed;
+        if (clamped[i]) c.hold[i] = Hold::fixed;
+    }
+    return c;
+}
+
+template <int Dim>
+void setWallVelocities(const NodeConstraints<Dim>& constraints, const Topology<Dim>& topology,
+                       const std::vector<Simplex<Dim>>& fluid, Points<Dim>& v) {
+    const int n = static_cast<int>(v.size());
+    const Points<Dim> old = v;
+    for (int i = 0; i < n; ++i) {
+        if (constraints.hold[i] != Hold::wall) continue;
+        Vec<Dim> mean = Vec<Dim>::Zero();
+        int count = 0;
+        if (constraints.slip[i])
+            for (int s = topology.fluid.start[i]; s < topology.fluid.start[i + 1]; ++s)
+                for (int node : fluid[topology.fluid.cell[s]])
+                    if (constraints.hold[node] != Hold::wall) {
+                        mean += old[node];
+                        ++count;
+                    }
+        if (count > 0) mean /= count;
+        v[i] = mean - constraints.normal[i] * constraints.normal[i].dot(mean);
+    }
+}
+
+#define PFEM_INSTANTIATE(D)                                                                                    \
+    template BoundaryConditions<D> readBoundaryConditions<D>(const Dictionary&, const std::vector<Patch<D>>&); \
+    template NodeConstraints<D> nodeConstraints<D>(const Mesh<D>&, const BoundaryConditions<D>&,               \
+                                                   const Topology<D>&, const Points<D>&);                      \
+    template void setWallVelocities<D>(const NodeConstraints<D>&, const Topology<D>&,                          \
+                                       const std::vector<Simplex<D>>&, Points<D>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
+
+}  // namespace pfem

@@ -1,0 +1,51 @@
+#pragma once
+// What a user may set of the momentum equation and its time integration, in system/pfemSolution.
+
+#include <string>
+
+#include "dictionary/entries.hpp"
+
+namespace pfem {
+
+/// Sub-dictionary `timeIntegration`.
+struct TimeIntegrationControls {
+    double gamma = 0.5;
+
+    template <class Visitor>
+    void entries(Visitor& v) {
+        v("gamma", gamma, "-",
+          "Newmark's gamma of the acceleration: 0.5 trapezoidal (second order, no damping), 1 backward Euler",
+          between(0.5, 1.0));
+    }
+};
+
+/// Sub-dictionary `momentum`.
+struct MomentumControls {
+    double theta = 0;
+    double linearTolerance = 1e-6;
+    int maxLinearIterations = 500;
+
+    template <class Visitor>
+    void entries(Visitor& v) {
+        v("theta", theta, "-",
+          "bulk term theta rho h^2/dt of the fluid in the momentum MATRIX (preconditioner only; the paper: 1)",
+          nonNegative);
+        v("linearTolerance", linearTolerance, "-", "relative residual of the conjugate gradients", positive);
+        v("maxLinearIterations", maxLinearIterations, "-", "limit of the conjugate gradients", atLeast(1));
+    }
+};
+
+/// Sub-dictionary `solid`.
+struct SolidControls {
+    std::string stressUpdate = "rotatedMidpoint";
+    double damping = 0.1;
+
+    template <class Visitor>
+    void entries(Visitor& v) {
+        v("stressUpdate", stressUpdate, "-", "rotatedMidpoint (objective) or paper (equation (39) as printed)",
+          oneOf({"rotatedMidpoint", "paper"}));
+        v("damping", damping, "-", "alpha of the zig-zag damper, tau_s = alpha h sqrt(rho/E)", nonNegative);
+    }
+};
+
+}  // namespace pfem

@@ -1,0 +1,34 @@
+#include "momentum/mass.hpp"
+
+namespace pfem {
+
+template <int Dim>
+std::vector<double> fluidMass(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches) {
+    const NodeToCells& around = *patches.around;
+    std::vector<double> mass(patches.nNodes(), 0.0);
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < patches.nNodes(); ++i) {
+        for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
+            const int e = around.cell[s];
+            mass[i] += problem.fluid(cells.material[e]).rho * patches.element[e].measure;
+        }
+        mass[i] /= Dim + 1;
+    }
+    return mass;
+}
+
+template <int Dim>
+std::vector<double> solidMass(const Problem<Dim>& problem, const Cells<Dim>& cells, const Points<Dim>& X) {
+    std::vector<double> mass(X.size(), 0.0);
+    for (int e = 0; e < cells.size(); ++e) {
+        const double share =
+            problem.solid(cells.material[e]).rho * simplexMeasure<Dim>(X, cells.nodes[e]) / (Dim + 1);
+        for (int node : cells.nodes[e]) mass[node] += share;
+    }
+    return mass;
+}
+
+template std::vector<double> fluidMass<2>(const Problem<2>&, const Cells<2>&, const Patches<2>&);
+template std::vector<double> solidMass<2>(const Problem<2>&, const Cells<2>&, const Points<2>&);
+
+}  // namespace pfem

@@ -1,0 +1,137 @@
+#include "momentum/momentumSystem.hpp"
+
+#include <cmath>
+
+#include "momentum/fluidStress.hpp"
+
+namespace pfem {
+
+namespace {
+
+template <int Dim>
+double dot(const Points<Dim>& a, const Points<Dim>& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
+    return sum;
+}
+
+template <int Dim>
+void axpy(double factor, const Points<Dim>& x, Points<Dim>& y) {
+    for (std::size_t i = 0; i < x.size(); ++i) y[i] += factor * x[i];
+}
+
+}  // namespace
+
+template <int Dim>
+MomentumSystem<Dim>::MomentumSystem(const Problem<Dim>& problem, const MomentumControls& momentum,
+                                    const Mesh<Dim>& mesh, const Topology<Dim>& topology,
+                                    const NodeConstraints<Dim>& constraints, const Patches<Dim>& fluid,
+                                    std::vector<double> mass, SolidDofs<Dim> dofs, SymmetricMatrix solid,
+                                    const Newmark& newmark)
+    : problem_(problem),
+      controls_(momentum),
+      mesh_(mesh),
+      constraints_(constraints),
+      fluid_(fluid),
+      dofs_(std::move(dofs)),
+      solid_(std::move(solid)),
+      diagonal_(mass.size(), 0.0) {
+    if (dofs_.n > 0) {
+        factor_.analyze(solid_);
+        factor_.factorize(solid_);
+    }
+    for (int i = 0; i < topology.nNodes(); ++i) {
+        const bool moves = constraints.hold[i] == Hold::free || constraints.hold[i] == Hold::slide;
+        if (topology.wet(i) && !topology.onSolid[i] && moves) diagonal_[i] = newmark.massFactor() * mass[i];
+    }
+    for (const auto& material : problem.materials)
+        if (material.kind == MaterialKind::fluid && material.fluid.mu > 0) viscous_ = true;
+    if (controls_.theta > 0) {
+        viscous_ = true;
+        bulk_.assign(mass.size(), 0.0);
+        for (int i = 0; i < topology.nNodes(); ++i) {
+            if (!topology.wet(i)) continue;
+            const double rho = problem.fluid(mesh.fluid.material[topology.fluid.cell[topology.fluid.start[i]]]).rho;
+            bulk_[i] = controls_.theta * rho * std::pow(fluid.volume[i], 2.0 / Dim) / newmark.dt;
+        }
+    }
+}
+
+template <int Dim>
+Eigen::VectorXd MomentumSystem<Dim>::gather(const Points<Dim>& r) const {
+    Eigen::VectorXd u(dofs_.n);
+    for (std::size_t k = 0; k < dofs_.node.size(); ++k)
+        for (int c = 0; c < dofs_.count[dofs_.node[k]]; ++c)
+            u[dofs_.first[dofs_.node[k]] + c] = dofs_.basis[k].col(c).dot(r[dofs_.node[k]]);
+    return u;
+}
+
+template <int Dim>
+void MomentumSystem<Dim>::scatter(const Eigen::VectorXd& u, Points<Dim>& r) const {
+    for (std::size_t k = 0; k < dofs_.node.size(); ++k) {
+        Vec<Dim>& value = r[dofs_.node[k]];
+        for (int c = 0; c < dofs_.count[dofs_.node[k]]; ++c)
+            value += u[dofs_.first[dofs_.node[k]] + c] * dofs_.basis[k].col(c);
+    }
+}
+
+template <int Dim>
+Points<Dim> MomentumSystem<Dim>::restricted(const Points<Dim>& r) const {
+    Points<Dim> result(r.size(), Vec<Dim>::Zero());
+    for (std::size_t i = 0; i < r.size(); ++i)
+        if (diagonal_[i] > 0 || dofs_.local[i] >= 0) result[i] = constraints_.project(static_cast<int>(i), r[i]);
+    return result;
+}
+
+template <int Dim>
+Points<Dim> MomentumSystem<Dim>::apply(const Points<Dim>& u) const {
+    Points<Dim> y(u.size(), Vec<Dim>::Zero());
+    for (std::size_t i = 0; i < u.size(); ++i) y[i] = diagonal_[i] * u[i];
+    if (viscous_)
+        addInternalForce<Dim>(fluid_, fluidTangentStress<Dim>(problem_, mesh_.fluid, fluid_, u, bulk_), y);
+    if (dofs_.n > 0) scatter(solid_.multiply(gather(u)), y);
+    return restricted(y);
+}
+
+template <int Dim>
+Points<Dim> MomentumSystem<Dim>::precondition(const Points<Dim>& r) const {
+    Points<Dim> z(r.size(), Vec<Dim>::Zero());
+    for (std::size_t i = 0; i < r.size(); ++i)
+        if (diagonal_[i] > 0) z[i] = r[i] / diagonal_[i];
+    if (dofs_.n > 0) scatter(factor_.solve(gather(r)), z);
+    return z;
+}
+
+template <int Dim>
+Points<Dim> MomentumSystem<Dim>::solve(const Points<Dim>& residual) {
+    Points<Dim> r = residual;
+    for (auto& value : r) value = -value;
+    r = restricted(r);
+    Points<Dim> z = precondition(r);
+    iterations_ = 1;
+    if (!viscous_) return z;  // the preconditioner is the matrix
+
+    Points<Dim> u(r.size(), Vec<Dim>::Zero());
+    Points<Dim> direction = z;
+    double rz = dot<Dim>(r, z);
+    const double target = controls_.linearTolerance * controls_.linearTolerance * rz;
+    for (iterations_ = 0; rz > target && iterations_ < controls_.maxLinearIterations; ++iterations_) {
+        const Points<Dim> q = apply(direction);
+        const double curvature = dot<Dim>(direction, q);
+        if (!(curvature > 0)) throw StepFailure("momentum matrix is not positive definite");
+        const double step = rz / curvature;
+        axpy<Dim>(step, direction, u);
+        axpy<Dim>(-step, q, r);
+        z = precondition(r);
+        const double rzNew = dot<Dim>(r, z);
+        const double beta = rzNew / rz;
+        for (std::size_t i = 0; i < z.size(); ++i) direction[i] = z[i] + beta * direction[i];
+        rz = rzNew;
+    }
+    if (!(rz <= target)) throw StepFailure("conjugate gradients of the momentum did not converge");
+    return u;
+}
+
+template class MomentumSystem<2>;
+
+}  // namespace pfem

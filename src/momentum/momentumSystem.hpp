@@ -1,0 +1,49 @@
+#pragma once
+// ONE linear system for the velocities of fluid and solid together: (M + K) dv = -R_m (40)-(43).
+
+#include "linear/ldlt.hpp"
+#include "momentum/solidMatrix.hpp"
+
+namespace pfem {
+
+/// Conjugate gradients on the whole system. The fluid's operator is applied (G, then C, then G^T), never
+/// assembled; the solid's matrix is factorised once per step. Preconditioner: the solid block's factor and the
+/// fluid's lumped mass.
+template <int Dim>
+class MomentumSystem {
+public:
+    /// The references must outlive the system. `fluid`: patches whose current geometry is used by solve.
+    MomentumSystem(const Problem<Dim>& problem, const MomentumControls& momentum, const Mesh<Dim>& mesh,
+                   const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,
+                   const Patches<Dim>& fluid, std::vector<double> mass, SolidDofs<Dim> dofs,
+                   SymmetricMatrix solid, const Newmark& newmark);
+
+    /// dv of all nodes for the right-hand side -R; zero where a velocity is prescribed and on isolated nodes.
+    Points<Dim> solve(const Points<Dim>& residual);
+
+    int linearIterations() const { return iterations_; }  // of the last solve
+    const SolidDofs<Dim>& solidDofs() const { return dofs_; }
+    const SymmetricMatrix& solidMatrix() const { return solid_; }
+
+private:
+    Points<Dim> apply(const Points<Dim>& u) const;
+    Points<Dim> precondition(const Points<Dim>& r) const;
+    Points<Dim> restricted(const Points<Dim>& r) const;
+    Eigen::VectorXd gather(const Points<Dim>& r) const;
+    void scatter(const Eigen::VectorXd& u, Points<Dim>& r) const;
+
+    const Problem<Dim>& problem_;
+    MomentumControls controls_;
+    const Mesh<Dim>& mesh_;
+    const NodeConstraints<Dim>& constraints_;
+    const Patches<Dim>& fluid_;
+    SolidDofs<Dim> dofs_;
+    SymmetricMatrix solid_;
+    Ldlt factor_;
+    std::vector<double> diagonal_;        // massFactor * m of moving fluid nodes, 0 elsewhere
+    std::vector<double> bulk_;            // theta rho Omega^{2/Dim}/dt per node, empty without
+    bool viscous_ = false;
+    int iterations_ = 0;
+};
+
+}  // namespace pfem

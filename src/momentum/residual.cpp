@@ -1,0 +1,34 @@
+#include "momentum/residual.hpp"
+
+namespace pfem {
+
+template <int Dim>
+Points<Dim> tractionForce(const Mesh<Dim>& mesh, const BoundaryConditions<Dim>& conditions,
+                          const Points<Dim>& x) {
+    Points<Dim> force(x.size(), Vec<Dim>::Zero());
+    for (std::size_t n = 0; n < mesh.patches.size(); ++n) {
+        if (conditions.kind[n] != PatchKind::traction) continue;
+        for (const auto& face : mesh.patches[n].faces)
+            for (int node : face) force[node] += conditions.traction[n] * (faceArea<Dim>(x, face).norm() / Dim);
+    }
+    return force;
+}
+
+template <int Dim>
+Points<Dim> momentumResidual(const std::vector<double>& mass, const Points<Dim>& a, const Vec<Dim>& gravity,
+                             const Patches<Dim>& fluid, const std::vector<Tensor<Dim>>& fluidStress,
+                             const Patches<Dim>& solid, const std::vector<Tensor<Dim>>& solidStress,
+                             const Points<Dim>& traction) {
+    Points<Dim> R(a.size());
+    for (std::size_t i = 0; i < a.size(); ++i) R[i] = mass[i] * (a[i] - gravity) - traction[i];
+    addInternalForce<Dim>(fluid, fluidStress, R);
+    addInternalForce<Dim>(solid, solidStress, R);
+    return R;
+}
+
+template Points<2> tractionForce<2>(const Mesh<2>&, const BoundaryConditions<2>&, const Points<2>&);
+template Points<2> momentumResidual<2>(const std::vector<double>&, const Points<2>&, const Vec<2>&,
+                                       const Patches<2>&, const std::vector<Tensor<2>>&, const Patches<2>&,
+                                       const std::vector<Tensor<2>>&, const Points<2>&);
+
+}  // namespace pfem

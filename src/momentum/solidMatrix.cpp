@@ -1,0 +1,168 @@
+#include "momentum/solidMatrix.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "momentum/solidStress.hpp"
+
+namespace pfem {
+
+namespace {
+
+/// Orthonormal vectors perpendicular to n, as the first Dim-1 columns.
+template <int Dim>
+Tensor<Dim> tangentBasis(const Vec<Dim>& n) {
+    Tensor<Dim> basis = Tensor<Dim>::Zero();
+    if constexpr (Dim == 2) {
+        basis.col(0) = Vec<2>(-n[1], n[0]);
+    } else {
+        basis.col(0) = n.unitOrthogonal();
+        basis.col(1) = n.cross(Vec<3>(basis.col(0)));
+    }
+    return basis;
+}
+
+/// One row of a gradient operator: nodes and Omega G_J (or |e| grad N_J).
+template <int Dim>
+struct GradientRow {
+    std::vector<int> nodes;
+    std::vector<Vec<Dim>> weighted;
+    double volume = 0;
+
+    void add(int node, const Vec<Dim>& g) {
+        const auto found = std::find(nodes.begin(), nodes.end(), node);
+        if (found != nodes.end()) {
+            weighted[found - nodes.begin()] += g;
+        } else {
+            nodes.push_back(node);
+            weighted.push_back(g);
+        }
+    }
+};
+
+/// Row of nodal patch I: Omega G_IJ = sum_e |e|/(d+1) grad N_J.
+template <int Dim>
+GradientRow<Dim> nodalRow(const Patches<Dim>& patches, int i) {
+    GradientRow<Dim> row;
+    row.volume = patches.volume[i];
+    const NodeToCells& around = *patches.around;
+    for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
+        const auto& g = patches.element[around.cell[s]];
+        const auto& cell = patches.cell(around.cell[s]);
+        for (int k = 0; k <= Dim; ++k) row.add(cell[k], g.measure / (Dim + 1) * g.gradN[k]);
+    }
+    return row;
+}
+
+template <int Dim>
+GradientRow<Dim> elementRow(const Patches<Dim>& patches, int e) {
+    GradientRow<Dim> row;
+    const auto& g = patches.element[e];
+    row.volume = g.measure;
+    for (int k = 0; k <= Dim; ++k) row.add(patches.cell(e)[k], g.measure * g.gradN[k]);
+    return row;
+}
+
+/// Add factor * (Omega G)^T C (Omega G) / Omega.
+template <int Dim>
+void addStiffness(SymmetricMatrix& A, const SolidDofs<Dim>& dofs, const Hypoelastic& material, double factor,
+                  const GradientRow<Dim>& row) {
+    const double lambda = material.lambda() * factor / row.volume;
+    const double mu = material.mu() * factor / row.volume;
+    for (std::size_t a = 0; a < row.nodes.size(); ++a)
+        for (std::size_t b = 0; b < row.nodes.size(); ++b) {
+            const int la = dofs.local[row.nodes[a]];
+            const int lb = dofs.local[row.nodes[b]];
+            if (la < 0 || lb < 0) continue;
+            const Vec<Dim>& ga = row.weighted[a];
+            const Vec<Dim>& gb = row.weighted[b];
+            const Tensor<Dim> K = lambda * ga * gb.transpose() + mu * gb * ga.transpose() +
+                                  mu * ga.dot(gb) * Tensor<Dim>::Identity();
+            for (int ca = 0; ca < dofs.count[row.nodes[a]]; ++ca)
+                for (int cb = 0; cb < dofs.count[row.nodes[b]]; ++cb) {
+                    const int i = dofs.first[row.nodes[a]] + ca;
+                    const int j = dofs.first[row.nodes[b]] + cb;
+                    if (i >= j) A.add(i, j, dofs.basis[la].col(ca).dot(K * dofs.basis[lb].col(cb)));
+                }
+        }
+}
+
+/// Pattern: nodes that share a patch (two rings of the mesh).
+template <int Dim>
+SymmetricMatrix emptySolidMatrix(const Patches<Dim>& patches, const SolidDofs<Dim>& dofs) {
+    std::vector<std::vector<int>> lower(dofs.n);
+    for (int i = 0; i < patches.nNodes(); ++i) {
+        if (patches.around->count(i) == 0) continue;
+        const GradientRow<Dim> row = nodalRow<Dim>(patches, i);
+        for (int a : row.nodes)
+            for (int b : row.nodes)
+                for (int ca = 0; ca < dofs.count[a]; ++ca)
+                    for (int cb = 0; cb < dofs.count[b]; ++cb)
+                        if (dofs.first[a] + ca > dofs.first[b] + cb)
+                            lower[dofs.first[b] + cb].push_back(dofs.first[a] + ca);
+    }
+    for (auto& rows : lower) {
+        std::sort(rows.begin(), rows.end());
+        rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    }
+    return symmetricPattern(lower);
+}
+
+}  // namespace
+
+template <int Dim>
+SolidDofs<Dim> solidDofs(const NodeToCells& solid, const NodeConstraints<Dim>& constraints) {
+    const int n = static_cast<int>(solid.start.size()) - 1;
+    SolidDofs<Dim> dofs;
+    dofs.first.assign(n, -1);
+    dofs.count.assign(n, 0);
+    dofs.local.assign(n, -1);
+    for (int i = 0; i < n; ++i) {
+        if (solid.count(i) == 0 || constraints.hold[i] == Hold::fixed) continue;
+        const bool slides = constraints.hold[i] == Hold::slide;
+        dofs.local[i] = static_cast<int>(dofs.node.size());
+        dofs.node.push_back(i);
+        dofs.basis.push_back(slides ? tangentBasis<Dim>(constraints.normal[i]) : Tensor<Dim>::Identity());
+        dofs.first[i] = dofs.n;
+        dofs.count[i] = slides ? Dim - 1 : Dim;
+        dofs.n += dofs.count[i];
+    }
+    return dofs;
+}
+
+template <int Dim>
+SymmetricMatrix solidMatrix(const Problem<Dim>& problem, const SolidControls& controls, const Cells<Dim>& cells,
+                            const Patches<Dim>& patches, const SolidDofs<Dim>& dofs,
+                            const std::vector<double>& mass, const std::vector<double>& h,
+                            const Newmark& newmark) {
+    SymmetricMatrix A = emptySolidMatrix<Dim>(patches, dofs);
+    for (int node : dofs.node)
+        for (int c = 0; c < dofs.count[node]; ++c)
+            A.add(dofs.first[node] + c, dofs.first[node] + c, newmark.massFactor() * mass[node]);
+
+    const double tangent = controls.stressUpdate == "paper" ? newmark.dt : 0.5 * newmark.dt;
+    for (int i = 0; i < patches.nNodes(); ++i) {
+        if (patches.around->count(i) == 0) continue;
+        const Hypoelastic& material = solidMaterial<Dim>(problem, cells, *patches.around, i);
+        addStiffness<Dim>(A, dofs, material, tangent - dampingTime(material, controls.damping, h[i]),
+                          nodalRow<Dim>(patches, i));
+    }
+    for (int e = 0; e < patches.nCells(); ++e) {
+        const Hypoelastic& material = problem.solid(cells.material[e]);
+        double size = 0;
+        for (int node : patches.cell(e)) size += h[node] / (Dim + 1);
+        addStiffness<Dim>(A, dofs, material, dampingTime(material, controls.damping, size),
+                          elementRow<Dim>(patches, e));
+    }
+    return A;
+}
+
+#define PFEM_INSTANTIATE(D)                                                                                 \
+    template SolidDofs<D> solidDofs<D>(const NodeToCells&, const NodeConstraints<D>&);                      \
+    template SymmetricMatrix solidMatrix<D>(const Problem<D>&, const SolidControls&, const Cells<D>&,       \
+                                            const Patches<D>&, const SolidDofs<D>&,                         \
+                                            const std::vector<double>&, const std::vector<double>&,         \
+                                            const Newmark&);
+PFEM_INSTANTIATE(2)
+
+}  // namespace pfem

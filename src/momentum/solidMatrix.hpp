@@ -1,0 +1,34 @@
+#pragma once
+// The assembled momentum matrix of the solid nodes, interface included (41)-(42).
+
+#include "integration/nodalPatches.hpp"
+#include "linear/symmetricMatrix.hpp"
+#include "momentum/controls.hpp"
+#include "momentum/newmark.hpp"
+#include "state/problem.hpp"
+
+namespace pfem {
+
+/// Velocity unknowns of the solid nodes: free nodes have Dim, sliding nodes Dim - 1, fixed ones none.
+template <int Dim>
+struct SolidDofs {
+    std::vector<int> node;          // solid nodes with unknowns
+    std::vector<int> first;         // per mesh node: its first unknown or -1
+    std::vector<int> count;         // per mesh node
+    std::vector<Tensor<Dim>> basis;  // per entry of `node`: its first count columns span the free directions
+    std::vector<int> local;         // per mesh node: index into `node` or -1
+    int n = 0;
+};
+
+template <int Dim>
+SolidDofs<Dim> solidDofs(const NodeToCells& solid, const NodeConstraints<Dim>& constraints);
+
+/// A_s = massFactor * m + (c - tau_s) K_nodal + tau_s K_element,  K = sum Omega G^T C G,
+/// c = dt/2 (rotated midpoint) or dt (paper); m = solid + fluid mass per node.
+template <int Dim>
+SymmetricMatrix solidMatrix(const Problem<Dim>& problem, const SolidControls& controls, const Cells<Dim>& cells,
+                            const Patches<Dim>& patches, const SolidDofs<Dim>& dofs,
+                            const std::vector<double>& mass, const std::vector<double>& h,
+                            const Newmark& newmark);
+
+}  // namespace pfem

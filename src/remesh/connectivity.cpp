@@ -1,0 +1,178 @@
+#include "remesh/connectivity.hpp"
+
+#include <algorithm>
+
+#include "mesh/simplex.hpp"
+
+namespace pfem {
+
+namespace {
+
+/// Height of the triangle over its face opposite to local node k.
+double height(const Points<2>& x, const Simplex<2>& s, int k) {
+    return 2 * simplexMeasure<2>(x, s) / faceArea<2>(x, oppositeFace<2>(s, k)).norm();
+}
+
+/// d|A|/dt < 0.
+bool isClosing(const CandidateNodes& nodes, const Simplex<2>& s) {
+    const auto g = simplexGeometry<2>(nodes.x, s);
+    double div = 0;
+    for (int k = 0; k < 3; ++k) div += nodes.v[s[k]].dot(g.gradN[k]);
+    return div < 0;
+}
+
+double meanSize(const CandidateNodes& nodes, const Simplex<2>& s) {
+    return (nodes.h[s[0]] + nodes.h[s[1]] + nodes.h[s[2]]) / 3;
+}
+
+int longestFace(const Points<2>& x, const Simplex<2>& s) {
+    int best = 0;
+    double length = 0;
+    for (int k = 0; k < 3; ++k) {
+        const double l = faceArea<2>(x, oppositeFace<2>(s, k)).squaredNorm();
+        if (l > length) {
+            length = l;
+            best = k;
+        }
+    }
+    return best;
+}
+
+/// The contact rules for a triangle outside the moved old mesh.
+bool isContact(const RemeshingControls& c, const CandidateNodes& nodes, const Simplex<2>& s) {
+    const double h = meanSize(nodes, s);
+    if (circumradius(nodes.x, s) > c.newContactRadius * h) return false;
+    int held = 0, dry = 0, fluidNode = -1, dryNode = -1;
+    for (int k = 0; k < 3; ++k) {
+        if (!nodes.held[s[k]]) {
+            fluidNode = k;
+            continue;
+        }
+        ++held;
+        if (!nodes.wet[s[k]]) {
+            ++dry;
+            dryNode = k;
+        }
+    }
+    if (held == 3) return false;
+    if (held == 2 && dry == 1) {  // the contact line moves on when the fluid has passed the middle
+        const int wetNode = 3 - fluidNode - dryNode;
+        return (nodes.x[s[fluidNode]] - nodes.x[s[dryNode]]).norm() <
+               (nodes.x[s[fluidNode]] - nodes.x[s[wetNode]]).norm();
+    }
+    if (!isClosing(nodes, s)) return false;
+    if (held == 2) return height(nodes.x, s, fluidNode) < c.wallContactHeight * h;
+    if (dry == 1) return height(nodes.x, s, dryNode) < c.wallContactHeight * h;
+    return height(nodes.x, s, longestFace(nodes.x, s)) < c.contactHeight * h;
+}
+
+class Selector {
+public:
+    Selector(const RemeshingControls& controls, const Triangulation<2>& triangulation, const CandidateNodes& nodes,
+             const MovedMesh<2>& moved)
+        : controls_(controls),
+          t_(triangulation),
+          nodes_(nodes),
+          fluid_(moved.x, moved.fluid),
+          solid_(moved.x, moved.solid),
+          inside_(t_.cells.size(), 0),
+          accepted_(t_.cells.size(), 0) {}
+
+    Connectivity select() {
+        for (std::size_t e = 0; e < t_.cells.size(); ++e) judge(static_cast<int>(e));
+        countCells();
+        peel();
+        Connectivity result;
+        for (std::size_t e = 0; e < t_.cells.size(); ++e) {
+            if (!accepted_[e]) continue;
+            result.fluid.push_back(t_.cells[e]);
+            if (!inside_[e]) result.gained += simplexMeasure<2>(nodes_.x, t_.cells[e]);
+        }
+        return result;
+    }
+
+private:
+    void judge(int e) {
+        const auto& s = t_.cells[e];
+        const Vec<2> centre = simplexCentroid<2>(nodes_.x, s);
+        inside_[e] = fluid_.contains(centre);
+        if (inside_[e]) {
+            accepted_[e] = 1;
+            return;
+        }
+        const bool allHeld = nodes_.held[s[0]] && nodes_.held[s[1]] && nodes_.held[s[2]];
+        if (allHeld || solid_.contains(centre)) return;
+        accepted_[e] = isContact(controls_, nodes_, s);
+    }
+
+    void countCells() {
+        cells_.assign(nodes_.x.size(), 0);
+        for (std::size_t e = 0; e < t_.cells.size(); ++e)
+            if (accepted_[e])
+                for (int node : t_.cells[e]) ++cells_[node];
+    }
+
+    bool isFluid(int e) const { return e >= 0 && accepted_[e]; }
+
+    /// A face of the cell that is open to the air.
+    bool isAtSurface(int e) const {
+        for (int k = 0; k < 3; ++k) {
+            const auto face = oppositeFace<2>(t_.cells[e], k);
+            if (!isFluid(t_.neighbours[e][k]) && !(nodes_.held[face[0]] && nodes_.held[face[1]])) return true;
+        }
+        return false;
+    }
+
+    bool isStretched(int e) const {
+        const auto& s = t_.cells[e];
+        const double h = meanSize(nodes_, s);
+        return simplexMeasure<2>(nodes_.x, s) < controls_.sliver * h * h ||
+               circumradius(nodes_.x, s) > controls_.alpha * controls_.alphaInside * h;
+    }
+
+    /// A wall node that only this triangle carries, and the fluid has come nearer to the other wall node.
+    bool isReleased(int e) const {
+        const auto& s = t_.cells[e];
+        for (int k = 0; k < 3; ++k) {
+            const int f = s[k], a = s[(k + 1) % 3], b = s[(k + 2) % 3];
+            if (nodes_.held[f] || !nodes_.held[a] || !nodes_.held[b]) continue;
+            const double da = (nodes_.x[f] - nodes_.x[a]).norm();
+            const double db = (nodes_.x[f] - nodes_.x[b]).norm();
+            return (cells_[a] == 1 && db < da) || (cells_[b] == 1 && da < db);
+        }
+        return false;
+    }
+
+    void peel() {
+        std::vector<int> work;
+        for (int e = 0; e < static_cast<int>(t_.cells.size()); ++e)
+            if (accepted_[e]) work.push_back(e);
+        while (!work.empty()) {
+            const int e = work.back();
+            work.pop_back();
+            if (!accepted_[e] || !isAtSurface(e) || !(isStretched(e) || isReleased(e))) continue;
+            accepted_[e] = 0;
+            for (int node : t_.cells[e]) --cells_[node];
+            for (int other : t_.neighbours[e])
+                if (isFluid(other)) work.push_back(other);
+        }
+    }
+
+    const RemeshingControls& controls_;
+    const Triangulation<2>& t_;
+    const CandidateNodes& nodes_;
+    Locator<2> fluid_;
+    Locator<2> solid_;
+    std::vector<unsigned char> inside_;
+    std::vector<unsigned char> accepted_;
+    std::vector<int> cells_;  // accepted cells per node
+};
+
+}  // namespace
+
+Connectivity selectFluid(const RemeshingControls& controls, const Triangulation<2>& triangulation,
+                         const CandidateNodes& nodes, const MovedMesh<2>& moved) {
+    return Selector(controls, triangulation, nodes, moved).select();
+}
+
+}  // namespace pfem

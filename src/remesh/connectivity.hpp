@@ -1,0 +1,31 @@
+#pragma once
+// Which triangles of the new triangulation are fluid.
+
+#include "remesh/controls.hpp"
+#include "remesh/delaunay.hpp"
+#include "remesh/movedMesh.hpp"
+
+namespace pfem {
+
+/// A candidate's nodes with what the rules ask about them; new node indices.
+struct CandidateNodes {
+    Points<2> x;
+    Points<2> v;                         // velocity of the NODE: walls at rest
+    std::vector<double> h;
+    std::vector<unsigned char> held;     // on a rigid wall or a solid
+    std::vector<unsigned char> wet;      // was in a fluid cell before
+};
+
+struct Connectivity {
+    std::vector<Simplex<2>> fluid;
+    double gained = 0;  // volume of accepted triangles outside the moved old mesh
+};
+
+/// Inside the moved old mesh everything is fluid; from its boundary, triangles with a circumradius above
+/// alphaInside alpha h and slivers are peeled off, and a wall node carried by one triangle is released when the
+/// fluid has come nearer to the other wall node. Outside, a triangle is a new contact and must be small, close
+/// and closing.
+Connectivity selectFluid(const RemeshingControls& controls, const Triangulation<2>& triangulation,
+                         const CandidateNodes& nodes, const MovedMesh<2>& moved);
+
+}  // namespace pfem

@@ -1,0 +1,45 @@
+#pragma once
+// What a user may set of the remeshing, in system/pfemSolution.
+
+#include "dictionary/entries.hpp"
+
+namespace pfem {
+
+/// Sub-dictionary `remeshing`.
+struct RemeshingControls {
+    double alpha = 1.3;
+    double alphaInside = 1.75;
+    double newContactRadius = 0.9;
+    double contactHeight = 0.3;
+    double wallContactHeight = 0.5;
+    double sliver = 1e-3;
+    double removeDistance = 0.6;
+    double removeDistanceSurface = 0.4;
+    double insertDistance = 1.7;
+    double wallDistance = 0.05;
+    bool keepSurface = true;
+    double distortion = 0;
+
+    template <class Visitor>
+    void entries(Visitor& v) {
+        v("alpha", alpha, "-", "alpha shape: largest circumradius / h of a triangle that is fluid", positive);
+        v("alphaInside", alphaInside, "-", "factor on alpha inside the fluid of the step before", atLeast(1.0));
+        v("newContactRadius", newContactRadius, "-", "largest circumradius / h of a new contact", positive);
+        v("contactHeight", contactHeight, "-", "height / h at which two free surfaces touch", positive);
+        v("wallContactHeight", wallContactHeight, "-", "height / h at which fluid touches a dry wall or solid",
+          positive);
+        v("sliver", sliver, "-", "area / h^2 below which a triangle at the surface is dropped", nonNegative);
+        v("removeDistance", removeDistance, "-", "distance / h at which an inner node is removed", nonNegative);
+        v("removeDistanceSurface", removeDistanceSurface, "-",
+          "distance / h at which a free-surface node is removed", nonNegative);
+        v("insertDistance", insertDistance, "-", "edge / h above which a node is inserted", positive);
+        v("wallDistance", wallDistance, "-", "distance / h to which a node that crossed a wall is returned",
+          positive);
+        v("keepSurface", keepSurface, "-",
+          "the moved free surface constrains the triangulation: only contacts and breaks change the volume", any);
+        v("distortion", distortion, "-",
+          "remesh when the least quality of a fluid triangle falls below this; 0 = every step", nonNegative);
+    }
+};
+
+}  // namespace pfem

@@ -1,0 +1,31 @@
+#include "remesh/movedMesh.hpp"
+
+#include "mesh/simplex.hpp"
+
+namespace pfem {
+
+template <int Dim>
+double cellVolume(const Points<Dim>& x, const std::vector<Simplex<Dim>>& cells) {
+    double volume = 0;
+    for (const auto& s : cells) volume += simplexMeasure<Dim>(x, s);
+    return volume;
+}
+
+template <int Dim>
+MovedMesh<Dim> movedMesh(const State<Dim>& state, const std::vector<PatchKind>& kinds) {
+    MovedMesh<Dim> moved;
+    moved.x = state.nodes.x;
+    moved.fluid = state.mesh.fluid.nodes;
+    moved.solid = state.mesh.solid.nodes;
+    moved.topology = makeTopology<Dim>(state.mesh, kinds, state.nodes.size());
+    moved.volume = cellVolume<Dim>(moved.x, moved.fluid);
+    moved.patchVolume.assign(moved.x.size(), 0.0);
+    for (const auto& s : moved.fluid)
+        for (int node : s) moved.patchVolume[node] += simplexMeasure<Dim>(moved.x, s) / (Dim + 1);
+    return moved;
+}
+
+template double cellVolume<2>(const Points<2>&, const std::vector<Simplex<2>>&);
+template MovedMesh<2> movedMesh<2>(const State<2>&, const std::vector<PatchKind>&);
+
+}  // namespace pfem

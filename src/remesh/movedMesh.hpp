@@ -1,0 +1,28 @@
+#pragma once
+// The fluid mesh of the step before, moved with its nodes: it says what is fluid.
+
+#include "mesh/locator.hpp"
+#include "mesh/topology.hpp"
+#include "state/state.hpp"
+
+namespace pfem {
+
+/// A copy of what remeshing needs of the old mesh; node indices are those before remeshing.
+template <int Dim>
+struct MovedMesh {
+    Points<Dim> x;
+    std::vector<Simplex<Dim>> fluid;
+    std::vector<Simplex<Dim>> solid;
+    Topology<Dim> topology;
+    std::vector<double> patchVolume;  // fluid volume of each node's patch
+    double volume = 0;                // of all fluid cells
+};
+
+template <int Dim>
+MovedMesh<Dim> movedMesh(const State<Dim>& state, const std::vector<PatchKind>& kinds);
+
+/// Volume of the fluid cells, and volume carried by isolated particles.
+template <int Dim>
+double cellVolume(const Points<Dim>& x, const std::vector<Simplex<Dim>>& cells);
+
+}  // namespace pfem

@@ -1,0 +1,134 @@
+#include "remesh/nodeControl.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "mesh/simplex.hpp"
+
+namespace pfem {
+
+namespace {
+
+template <int Dim>
+class Planner {
+public:
+    Planner(const RemeshingControls& controls, const MovedMesh<Dim>& moved, const std::vector<double>& h,
+            const std::vector<unsigned char>& kept)
+        : controls_(controls),
+          moved_(moved),
+          h_(h),
+          kept_(kept),
+          ring_(nodeToNodes<Dim>(moved.fluid, moved.topology.fluid)),
+          locked_(moved.x.size(), 0) {
+        plan_.removed.assign(moved.x.size(), 0);
+    }
+
+    NodePlan<Dim> plan() {
+        removeClose();
+        insertInLongEdges();
+        keepSurface();
+        return std::move(plan_);
+    }
+
+private:
+    void removeClose() {
+        for (int i = 0; i < static_cast<int>(moved_.x.size()); ++i) {
+            if (kept_[i] || locked_[i] || !moved_.topology.wet(i)) continue;
+            if (isTooClose(i)) {
+                plan_.removed[i] = 1;
+                lockPatch(i);
+            }
+        }
+    }
+
+    bool isTooClose(int i) const {
+        const bool surface = moved_.topology.freeSurface[i];
+        for (int s = ring_.start[i]; s < ring_.start[i + 1]; ++s) {
+            const int j = ring_.node[s];
+            if (locked_[j] && !kept_[j]) continue;
+            const double distance = (moved_.x[i] - moved_.x[j]).norm() / (0.5 * (h_[i] + h_[j]));
+            const bool boundary = moved_.topology.freeSurface[j] || kept_[j];
+            if (surface ? boundary && distance < controls_.removeDistanceSurface
+                        : distance < controls_.removeDistance)
+                return true;
+        }
+        return false;
+    }
+
+    void insertInLongEdges() {
+        for (int i = 0; i < static_cast<int>(moved_.x.size()); ++i)
+            for (int s = ring_.start[i]; s < ring_.start[i + 1]; ++s) {
+                const int j = ring_.node[s];
+                if (j < i || locked_[i] || locked_[j]) continue;
+                if ((moved_.x[i] - moved_.x[j]).norm() < controls_.insertDistance * 0.5 * (h_[i] + h_[j])) continue;
+                if (kept_[i] && kept_[j] && isBoundaryEdge(i, j)) continue;
+                plan_.inserted.push_back({i, j});
+                locked_[i] = locked_[j] = 1;
+            }
+    }
+
+    bool isBoundaryEdge(int i, int j) const {
+        int cells = 0;
+        const auto& around = moved_.topology.fluid;
+        for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
+            const auto& cell = moved_.fluid[around.cell[s]];
+            cells += std::find(cell.begin(), cell.end(), j) != cell.end();
+        }
+        return cells < 2;
+    }
+
+    /// The surface polygon without removed nodes and with the halves of split edges.
+    void keepSurface() {
+        if constexpr (Dim == 2) {
+            std::map<int, int> next;  // along the surface, fluid on the left
+            for (const auto& face : moved_.topology.faces)
+                if (face.kind == FaceKind::freeSurface) next[face.nodes[0]] = face.nodes[1];
+            std::map<std::array<int, 2>, int> middle;
+            for (std::size_t k = 0; k < plan_.inserted.size(); ++k)
+                middle[plan_.inserted[k]] = static_cast<int>(moved_.x.size() + k);
+            for (const auto& face : moved_.topology.faces) {
+                if (face.kind != FaceKind::freeSurface || plan_.removed[face.nodes[0]]) continue;
+                const int a = face.nodes[0];
+                int b = face.nodes[1];
+                if (plan_.removed[b]) {  // its neighbours stay: one removal per patch
+                    const auto after = next.find(b);
+                    if (after == next.end()) continue;
+                    b = after->second;
+                }
+                const auto mid = middle.find({std::min(a, b), std::max(a, b)});
+                if (mid == middle.end()) {
+                    plan_.surface.push_back({a, b});
+                } else {
+                    plan_.surface.push_back({a, mid->second});
+                    plan_.surface.push_back({mid->second, b});
+                }
+            }
+        }
+    }
+
+    void lockPatch(int i) {
+        locked_[i] = 1;
+        for (int s = ring_.start[i]; s < ring_.start[i + 1]; ++s) locked_[ring_.node[s]] = 1;
+    }
+
+    const RemeshingControls& controls_;
+    const MovedMesh<Dim>& moved_;
+    const std::vector<double>& h_;
+    const std::vector<unsigned char>& kept_;
+    NodeToNodes ring_;
+    std::vector<unsigned char> locked_;
+    NodePlan<Dim> plan_;
+};
+
+}  // namespace
+
+template <int Dim>
+NodePlan<Dim> planNodes(const RemeshingControls& controls, const MovedMesh<Dim>& moved,
+                        const std::vector<double>& h, const std::vector<unsigned char>& kept) {
+    return Planner<Dim>(controls, moved, h, kept).plan();
+}
+
+template NodePlan<2> planNodes<2>(const RemeshingControls&, const MovedMesh<2>&, const std::vector<double>&,
+                                  const std::vector<unsigned char>&);
+
+}  // namespace pfem

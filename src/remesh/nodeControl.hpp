@@ -1,0 +1,25 @@
+#pragma once
+// Removal of nodes that came too close and insertion where the mesh was stretched.
+
+#include "remesh/controls.hpp"
+#include "remesh/movedMesh.hpp"
+
+namespace pfem {
+
+/// Plan of one remeshing, in old node indices.
+template <int Dim>
+struct NodePlan {
+    std::vector<unsigned char> removed;       // per old node
+    std::vector<std::array<int, 2>> inserted;  // edges that get a node at their midpoint
+    /// Free-surface faces after removal and insertion: old index i, or nOld + k for inserted node k.
+    std::vector<Face<Dim>> surface;
+};
+
+/// Inner fluid nodes nearer than removeDistance h to a neighbour go (free-surface nodes: removeDistanceSurface,
+/// only when the neighbour is a free-surface, wall or solid node); edges longer than insertDistance h are halved.
+/// At most one change per patch. Nodes of walls, solids and symmetry patches stay.
+template <int Dim>
+NodePlan<Dim> planNodes(const RemeshingControls& controls, const MovedMesh<Dim>& moved,
+                        const std::vector<double>& h, const std::vector<unsigned char>& kept);
+
+}  // namespace pfem

@@ -1,0 +1,131 @@
+#include "remesh/penetration.hpp"
+
+#include <limits>
+
+#include "mesh/locator.hpp"
+#include "mesh/simplex.hpp"
+#include "remesh/movedMesh.hpp"
+
+namespace pfem {
+
+namespace {
+
+using Edge = Face<2>;
+
+/// Bins of faces for fast "which faces are near" questions.
+class FaceBins {
+public:
+    FaceBins(const Points<2>& x, const std::vector<Edge>& faces, double width) : width_(width) {
+        if (faces.empty()) return;
+        low_ = Vec<2>::Constant(std::numeric_limits<double>::max());
+        Vec<2> high = -low_;
+        for (const auto& f : faces)
+            for (int node : f) {
+                low_ = low_.cwiseMin(x[node]);
+                high = high.cwiseMax(x[node]);
+            }
+        low_ -= Vec<2>::Constant(width);
+        n_[0] = static_cast<int>((high[0] - low_[0]) / width) + 2;
+        n_[1] = static_cast<int>((high[1] - low_[1]) / width) + 2;
+        bins_.resize(static_cast<std::size_t>(n_[0]) * n_[1]);
+        for (int f = 0; f < static_cast<int>(faces.size()); ++f) {
+            const Vec<2> a = x[faces[f][0]].cwiseMin(x[faces[f][1]]);
+            const Vec<2> b = x[faces[f][0]].cwiseMax(x[faces[f][1]]);
+            for (int i = index(a, 0) - 1; i <= index(b, 0) + 1; ++i)
+                for (int j = index(a, 1) - 1; j <= index(b, 1) + 1; ++j)
+                    if (i >= 0 && j >= 0 && i < n_[0] && j < n_[1]) bins_[i * n_[1] + j].push_back(f);
+        }
+    }
+
+    const std::vector<int>& near(const Vec<2>& point) const {
+        static const std::vector<int> none;
+        if (bins_.empty()) return none;
+        const int i = index(point, 0), j = index(point, 1);
+        return i < 0 || j < 0 || i >= n_[0] || j >= n_[1] ? none : bins_[i * n_[1] + j];
+    }
+
+private:
+    int index(const Vec<2>& p, int d) const { return static_cast<int>(std::floor((p[d] - low_[d]) / width_)); }
+
+    Vec<2> low_ = Vec<2>::Zero();
+    double width_;
+    int n_[2] = {0, 0};
+    std::vector<std::vector<int>> bins_;
+};
+
+double cross(const Vec<2>& a, const Vec<2>& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+/// Do the segments a-b and c-d cross?
+bool crosses(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c, const Vec<2>& d) {
+    const double s1 = cross(b - a, c - a), s2 = cross(b - a, d - a);
+    const double s3 = cross(d - c, a - c), s4 = cross(d - c, b - c);
+    return s1 * s2 <= 0 && s3 * s4 <= 0 && (s3 != 0 || s4 != 0);
+}
+
+/// Put the node off the face on the side of n and stop its motion against n.
+void putBack(const Points<2>& x, const Points<2>& v, const Edge& face, const Vec<2>& n, double distance, Vec<2>& xi,
+             Vec<2>& vi) {
+    const Vec<2> t = x[face[1]] - x[face[0]];
+    const double s = std::clamp((xi - x[face[0]]).dot(t) / t.squaredNorm(), 0.0, 1.0);
+    xi = x[face[0]] + s * t + distance * n;
+    const Vec<2> surface = (1 - s) * v[face[0]] + s * v[face[1]];
+    const double inward = (vi - surface).dot(n);
+    if (inward < 0) vi -= inward * n;
+}
+
+}  // namespace
+
+template <>
+int returnPenetrating<2>(const Topology<2>& topology, const std::vector<PatchKind>& kinds, const Points<2>& xOld,
+                         double distance, State<2>& state) {
+    Nodes<2>& nodes = state.nodes;
+    std::vector<Edge> walls, solidFaces;
+    for (std::size_t k = 0; k < kinds.size(); ++k)
+        if (isWall(kinds[k]))
+            walls.insert(walls.end(), state.mesh.patches[k].faces.begin(), state.mesh.patches[k].faces.end());
+    for (const auto& face : boundaryFaces<2>(state.mesh.solid.nodes, topology.solid)) solidFaces.push_back(face.nodes);
+
+    double hMax = 0;
+    for (double h : nodes.h) hMax = std::max(hMax, h);
+    Points<2> wallVelocity(nodes.x.size(), Vec<2>::Zero());
+    const FaceBins wallBins(nodes.x, walls, 2 * hMax);
+    const FaceBins solidBins(nodes.x, solidFaces, 2 * hMax);
+    const Locator<2> solid(nodes.x, state.mesh.solid.nodes);
+
+    const double before = cellVolume<2>(nodes.x, state.mesh.fluid.nodes);
+    int count = 0;
+    for (int i = 0; i < nodes.size(); ++i) {
+        if (topology.onSolid[i] || topology.onWall[i]) continue;
+        bool moved = false;
+        for (int f : wallBins.near(nodes.x[i])) {
+            const Vec<2> a = nodes.x[walls[f][0]], b = nodes.x[walls[f][1]];
+            if (!crosses(xOld[i], nodes.x[i], a, b)) continue;
+            const Vec<2> n = -faceArea<2>(nodes.x, walls[f]).normalized();  // fluid on the left
+            putBack(nodes.x, wallVelocity, walls[f], n, distance * nodes.h[i], nodes.x[i], nodes.v[i]);
+            moved = true;
+        }
+        if (solid.contains(nodes.x[i])) {
+            int nearest = -1;
+            double best = std::numeric_limits<double>::max();
+            for (int f : solidBins.near(nodes.x[i])) {
+                const Vec<2> a = nodes.x[solidFaces[f][0]], t = nodes.x[solidFaces[f][1]] - a;
+                const double s = std::clamp((nodes.x[i] - a).dot(t) / t.squaredNorm(), 0.0, 1.0);
+                const double d = (nodes.x[i] - a - s * t).norm();
+                if (d < best) {
+                    best = d;
+                    nearest = f;
+                }
+            }
+            if (nearest >= 0) {
+                const Vec<2> n = faceArea<2>(nodes.x, solidFaces[nearest]).normalized();  // out of the solid
+                putBack(nodes.x, nodes.v, solidFaces[nearest], n, distance * nodes.h[i], nodes.x[i], nodes.v[i]);
+                moved = true;
+            }
+        }
+        count += moved;
+    }
+    state.ledger["returned"] += cellVolume<2>(nodes.x, state.mesh.fluid.nodes) - before;
+    return count;
+}
+
+}  // namespace pfem

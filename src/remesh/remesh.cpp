@@ -1,0 +1,166 @@
+#include "remesh/remesh.hpp"
+
+#include <numeric>
+
+#include "mesh/simplex.hpp"
+#include "remesh/connectivity.hpp"
+#include "remesh/nodeControl.hpp"
+
+namespace pfem {
+
+namespace {
+
+/// Nodes that never go: of walls, solids and every other patch.
+template <int Dim>
+std::vector<unsigned char> keptNodes(const State<Dim>& state, const Topology<Dim>& topology) {
+    std::vector<unsigned char> kept(state.nodes.size(), 0);
+    for (int i = 0; i < state.nodes.size(); ++i) kept[i] = topology.onSolid[i] || topology.onWall[i];
+    for (const auto& patch : state.mesh.patches)
+        for (const auto& face : patch.faces)
+            for (int node : face) kept[node] = 1;
+    return kept;
+}
+
+/// Midpoint of an edge with the mean of its ends.
+template <int Dim>
+void insertNode(const Nodes<Dim>& old, int i, int j, State<Dim>& state) {
+    Nodes<Dim>& nodes = state.nodes;
+    nodes.append(old, i);
+    nodes.id.back() = state.nextId++;
+    nodes.x.back() = 0.5 * (old.x[i] + old.x[j]);
+    nodes.v.back() = 0.5 * (old.v[i] + old.v[j]);
+    nodes.a.back() = 0.5 * (old.a[i] + old.a[j]);
+    nodes.p.back() = 0.5 * (old.p[i] + old.p[j]);
+    nodes.sigma.back().setZero();
+    nodes.X.back() = nodes.x.back();
+    nodes.h.back() = 0.5 * (old.h[i] + old.h[j]);
+    nodes.dropVolume.back() = 0;
+}
+
+/// Carry the plan out; returns the new index of each old node (-1 removed), inserted nodes after them.
+template <int Dim>
+std::vector<int> carryOut(const NodePlan<Dim>& plan, State<Dim>& state) {
+    const Nodes<Dim> old = state.nodes;
+    std::vector<int> newIndex(old.size() + plan.inserted.size(), -1);
+    state.nodes = Nodes<Dim>();
+    for (int i = 0; i < old.size(); ++i) {
+        if (plan.removed[i]) continue;
+        newIndex[i] = state.nodes.size();
+        state.nodes.append(old, i);
+    }
+    for (std::size_t k = 0; k < plan.inserted.size(); ++k) {
+        newIndex[old.size() + k] = state.nodes.size();
+        insertNode(old, plan.inserted[k][0], plan.inserted[k][1], state);
+    }
+    for (auto& s : state.mesh.solid.nodes)
+        for (int& node : s) node = newIndex[node];
+    for (auto& patch : state.mesh.patches)
+        for (auto& face : patch.faces)
+            for (int& node : face) node = newIndex[node];
+    return newIndex;
+}
+
+template <int Dim>
+std::vector<Face<Dim>> constraintFaces(const RemeshingControls& controls, const State<Dim>& state,
+                                       const std::vector<PatchKind>& kinds, const NodePlan<Dim>& plan,
+                                       const std::vector<int>& newIndex) {
+    std::vector<Face<Dim>> constraints;
+    const auto aroundSolid = nodeToCells<Dim>(state.mesh.solid.nodes, state.nodes.size());
+    for (const auto& face : boundaryFaces<Dim>(state.mesh.solid.nodes, aroundSolid)) constraints.push_back(face.nodes);
+    for (std::size_t k = 0; k < state.mesh.patches.size(); ++k)
+        if (isWall(kinds[k]) || kinds[k] == PatchKind::symmetry)
+            for (const auto& face : state.mesh.patches[k].faces) constraints.push_back(face);
+    if (controls.keepSurface)
+        for (auto face : plan.surface) {
+            for (int& node : face) node = newIndex[node];
+            constraints.push_back(face);
+        }
+    return constraints;
+}
+
+/// What the selection rules ask about the new nodes.
+CandidateNodes candidateNodes(const State<2>& state, const MovedMesh<2>& moved, const std::vector<int>& newIndex) {
+    CandidateNodes c;
+    const int n = state.nodes.size();
+    c.x = state.nodes.x;
+    c.v = state.nodes.v;
+    c.h = state.nodes.h;
+    c.held.assign(n, 0);
+    c.wet.assign(n, 1);  // inserted nodes are inside the fluid
+    for (std::size_t i = 0; i < moved.x.size(); ++i) {
+        if (newIndex[i] < 0) continue;
+        c.held[newIndex[i]] = moved.topology.onSolid[i] || moved.topology.onWall[i];
+        c.wet[newIndex[i]] = moved.topology.wet(static_cast<int>(i));
+        if (moved.topology.onWall[i] && !moved.topology.onSolid[i]) c.v[newIndex[i]].setZero();
+    }
+    return c;
+}
+
+/// Solid nodes off the boundary do not take part in the triangulation.
+std::vector<int> activeNodes(const State<2>& state) {
+    const auto around = nodeToCells<2>(state.mesh.solid.nodes, state.nodes.size());
+    std::vector<unsigned char> active(state.nodes.size(), 1);
+    for (const auto& s : state.mesh.solid.nodes)
+        for (int node : s) active[node] = 0;
+    for (const auto& face : boundaryFaces<2>(state.mesh.solid.nodes, around))
+        for (int node : face.nodes) active[node] = 1;
+    std::vector<int> list;
+    for (int i = 0; i < state.nodes.size(); ++i)
+        if (active[i]) list.push_back(i);
+    return list;
+}
+
+/// A node that has lost its last triangle carries its patch's volume; one that has found one gives it back.
+void updateDrops(const MovedMesh<2>& moved, const std::vector<int>& newIndex, const std::vector<PatchKind>& kinds,
+                 State<2>& state) {
+    const auto topology = makeTopology<2>(state.mesh, kinds, state.nodes.size());
+    double change = 0;
+    for (std::size_t i = 0; i < moved.x.size(); ++i) {
+        if (newIndex[i] < 0) {
+            change -= 0;  // removed nodes were wet
+            continue;
+        }
+        const int node = newIndex[i];
+        double& carried = state.nodes.dropVolume[node];
+        const double before = carried;
+        if (!topology.isolated(node))
+            carried = 0;
+        else if (moved.topology.wet(static_cast<int>(i)))
+            carried = moved.patchVolume[i];
+        change += carried - before;
+        if (topology.isolated(node)) state.nodes.p[node] = 0;
+        if (!topology.wet(node)) state.nodes.p[node] = 0;
+    }
+    state.ledger["isolated"] += change;
+}
+
+}  // namespace
+
+template <int Dim>
+RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKind>& kinds, State<Dim>& state) {
+    const MovedMesh<Dim> moved = movedMesh<Dim>(state, kinds);
+    const auto plan = planNodes<Dim>(controls, moved, state.nodes.h, keptNodes<Dim>(state, moved.topology));
+    const int material = state.mesh.fluid.material.empty() ? 0 : state.mesh.fluid.material[0];
+    const auto newIndex = carryOut<Dim>(plan, state);
+
+    const auto triangulation = constrainedDelaunay(
+        state.nodes.x, activeNodes(state), constraintFaces<Dim>(controls, state, kinds, plan, newIndex));
+    const auto selected =
+        selectFluid(controls, triangulation, candidateNodes(state, moved, newIndex), moved);
+    state.mesh.fluid.nodes = selected.fluid;
+    state.mesh.fluid.material.assign(selected.fluid.size(), material);
+
+    const double change = cellVolume<Dim>(state.nodes.x, selected.fluid) - moved.volume;
+    state.ledger["contact"] += selected.gained;
+    state.ledger["dropped"] += change - selected.gained;
+    updateDrops(moved, newIndex, kinds, state);
+
+    RemeshReport report;
+    report.removed = std::accumulate(plan.removed.begin(), plan.removed.end(), 0);
+    report.inserted = static_cast<int>(plan.inserted.size());
+    return report;
+}
+
+template RemeshReport remesh<2>(const RemeshingControls&, const std::vector<PatchKind>&, State<2>&);
+
+}  // namespace pfem

@@ -1,0 +1,20 @@
+#pragma once
+// New connectivity of the fluid after its nodes have moved (Algorithm 1, line 13).
+
+#include "remesh/controls.hpp"
+#include "remesh/movedMesh.hpp"
+
+namespace pfem {
+
+struct RemeshReport {
+    int removed = 0;
+    int inserted = 0;
+};
+
+/// Remove and insert nodes, triangulate with walls, solids and the free surface as constraints, select the fluid.
+/// The volume's change by cause is added to state.ledger: "contact" (triangles accepted outside the moved old
+/// mesh), "dropped" (the rest: peeled off, left out), "isolated" (carried by particles without triangles).
+template <int Dim>
+RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKind>& kinds, State<Dim>& state);
+
+}  // namespace pfem

@@ -1,0 +1,44 @@
+#pragma once
+// When the nonlinear iteration stops.
+
+#include <cmath>
+
+#include "solver/fsiStep.hpp"
+
+namespace pfem {
+
+/// Relative changes |dv|/|v| and |dp|/|p| with norms frozen after the first iteration; guarded against zero by
+/// the scales g dt and rho g h.
+class Convergence {
+public:
+    Convergence(const ConvergenceControls& controls, double velocityScale, double pressureScale)
+        : controls_(controls), velocityScale_(velocityScale), pressureScale_(pressureScale) {}
+
+    /// Enter iteration k (from 1) with the norms (root mean squares) of changes and values.
+    /// Throws StepFailure when a norm is not finite.
+    bool reached(double dv, double v, double dp, double p);
+
+    const StepReport& report() const { return report_; }
+
+private:
+    ConvergenceControls controls_;
+    double velocityScale_;
+    double pressureScale_;
+    StepReport report_;
+};
+
+/// Root mean square over the entries.
+template <int Dim>
+double rms(const Points<Dim>& u) {
+    double sum = 0;
+    for (const auto& value : u) sum += value.squaredNorm();
+    return u.empty() ? 0 : std::sqrt(sum / static_cast<double>(u.size()));
+}
+
+inline double rms(const std::vector<double>& u) {
+    double sum = 0;
+    for (double value : u) sum += value * value;
+    return u.empty() ? 0 : std::sqrt(sum / static_cast<double>(u.size()));
+}
+
+}  // namespace pfem

@@ -1,0 +1,159 @@
+#include "solver/fsiStep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "continuity/continuitySystem.hpp"
+#include "continuity/residual.hpp"
+#include "continuity/stabilisation.hpp"
+#include "momentum/fluidStress.hpp"
+#include "momentum/momentumSystem.hpp"
+#include "momentum/residual.hpp"
+#include "momentum/solidStress.hpp"
+#include "solver/convergence.hpp"
+
+namespace pfem {
+
+namespace {
+
+template <int Dim>
+Points<Dim> midpoint(const Points<Dim>& a, const Points<Dim>& b) {
+    Points<Dim> m(a.size());
+    for (std::size_t i = 0; i < a.size(); ++i) m[i] = 0.5 * (a[i] + b[i]);
+    return m;
+}
+
+/// Positions and accelerations that follow from the trial velocities (22). Wall nodes stay; isolated particles
+/// are in ballistic flight.
+template <int Dim>
+void moveNodes(const Newmark& newmark, const NodeConstraints<Dim>& constraints, const Topology<Dim>& topology,
+               const Vec<Dim>& gravity, const Nodes<Dim>& old, Nodes<Dim>& trial) {
+    const double dt = newmark.dt;
+    for (int i = 0; i < old.size(); ++i) {
+        if (constraints.hold[i] == Hold::wall || constraints.hold[i] == Hold::fixed) continue;
+        if (topology.isolated(i)) {
+            trial.v[i] = old.v[i] + dt * gravity;
+            trial.p[i] = 0;
+        }
+        trial.x[i] = newmark.position<Dim>(old.x[i], old.v[i], trial.v[i]);
+        trial.a[i] = topology.isolated(i) ? gravity : newmark.acceleration<Dim>(old.v[i], trial.v[i], old.a[i]);
+    }
+}
+
+/// A solid element that is turned inside out, or a fluid patch without volume, cannot be accepted.
+template <int Dim>
+void checkPatches(const Patches<Dim>& fluid, const Patches<Dim>& solid, const Nodes<Dim>& nodes) {
+    const auto place = [&](const Vec<Dim>& x) { return fmt::format("({:.6g} {:.6g})", x[0], x[1]); };
+    for (int e = 0; e < solid.nCells(); ++e)
+        if (!(solid.element[e].measure > 0))
+            throw StepFailure("solid element inverted at " + place(simplexCentroid<Dim>(nodes.x, solid.cell(e))));
+    for (int i = 0; i < fluid.nNodes(); ++i)
+        if (fluid.around->count(i) > 0 && !(fluid.volume[i] > 0))
+            throw StepFailure(fmt::format("fluid patch of node {} inverted at {}", nodes.id[i], place(nodes.x[i])));
+}
+
+/// Largest density times g times the mean node distance: the pressure that one layer of fluid makes.
+template <int Dim>
+double pressureScale(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const Nodes<Dim>& nodes) {
+    double rho = 0, h = 0;
+    for (int material : mesh.fluid.material) rho = std::max(rho, problem.fluid(material).rho);
+    for (double size : nodes.h) h += size / nodes.size();
+    return rho * problem.gravity.norm() * h;
+}
+
+/// Solid mass (constant) plus fluid mass in the configuration of the patches.
+template <int Dim>
+std::vector<double> nodalMass(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const Patches<Dim>& fluid,
+                              const std::vector<double>& solid) {
+    auto mass = fluidMass<Dim>(problem, mesh.fluid, fluid);
+    for (std::size_t i = 0; i < mass.size(); ++i) mass[i] += solid[i];
+    return mass;
+}
+
+}  // namespace
+
+template <int Dim>
+StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, const Mesh<Dim>& mesh,
+                        const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,
+                        const Nodes<Dim>& old, double dt, double divTarget) {
+    const Newmark newmark{dt, controls.timeIntegration.gamma};
+    Nodes<Dim> trial = old;
+
+    // the matrices, at x^n, once per step
+    Patches<Dim> fluid = makePatches<Dim>(mesh.fluid.nodes, topology.fluid, old.x);
+    Patches<Dim> solid = makePatches<Dim>(mesh.solid.nodes, topology.solid, old.x);
+    Patches<Dim> solidMid = solid;
+    const auto massOfSolid = solidMass<Dim>(problem, mesh.solid, old.X);
+    auto mass = nodalMass<Dim>(problem, mesh, fluid, massOfSolid);
+    auto dofs = solidDofs<Dim>(topology.solid, constraints);
+    auto solidA = solidMatrix<Dim>(problem, controls.solid, mesh.solid, solid, dofs, mass, old.h, newmark);
+    MomentumSystem<Dim> momentum(problem, controls.momentum, mesh, topology, constraints, fluid, mass,
+                                 std::move(dofs), std::move(solidA), newmark);
+    const auto tau = stabilisation<Dim>(problem, mesh.fluid, fluid, old.v, dt);
+    const ContinuitySystem<Dim> continuity(problem, controls.continuity, mesh.fluid, topology, fluid, tau, old.x,
+                                           momentum.solidDofs(), momentum.solidMatrix(), newmark);
+
+    Convergence convergence(controls.convergence, problem.gravity.norm() * dt,
+                            pressureScale<Dim>(problem, mesh, old));
+    StepReport report;
+    moveNodes<Dim>(newmark, constraints, topology, problem.gravity, old, trial);
+    for (bool converged = false; !converged;) {
+        if (report.iterations == controls.convergence.maxIterations)
+            throw StepFailure(fmt::format("no convergence in {} iterations: |dv|/|v| = {:.3g}, |dp|/|p| = {:.3g}",
+                                          report.iterations, report.finalU, report.finalP));
+        // patches, stresses, momentum residual, velocities
+        updatePatches<Dim>(fluid, trial.x);
+        updatePatches<Dim>(solid, trial.x);
+        updatePatches<Dim>(solidMid, midpoint<Dim>(old.x, trial.x));
+        mass = nodalMass<Dim>(problem, mesh, fluid, massOfSolid);
+        trial.sigma = solidStress<Dim>(problem, controls.solid, mesh.solid, solidMid, solid, old, trial, dt);
+        const auto R_m = momentumResidual<Dim>(
+            mass, trial.a, problem.gravity, fluid,
+            fluidStress<Dim>(problem, mesh.fluid, fluid, trial.v, trial.p), solid,
+            solidElementStress<Dim>(problem, controls.solid, mesh.solid, solid, trial),
+            tractionForce<Dim>(mesh, problem.conditions, trial.x));
+        const auto dv = momentum.solve(R_m);
+        for (int i = 0; i < trial.size(); ++i) trial.v[i] += dv[i];
+        moveNodes<Dim>(newmark, constraints, topology, problem.gravity, old, trial);
+
+        // patches again: the continuity lives in the updated configuration
+        updatePatches<Dim>(fluid, trial.x);
+        const auto R_c = continuityResidual<Dim>(problem, controls.continuity, mesh.fluid, topology, fluid, tau,
+                                                 trial, old.p, dt, divTarget);
+        const auto dp = continuity.solve(R_c);
+        for (int i = 0; i < trial.size(); ++i) trial.p[i] += dp[i];
+
+        converged = convergence.reached(rms<Dim>(dv), rms<Dim>(trial.v), rms(dp), rms(trial.p));
+        const int linear = report.linearIterations + momentum.linearIterations();
+        report = convergence.report();
+        report.linearIterations = linear;
+    }
+    updatePatches<Dim>(solid, trial.x);
+    checkPatches<Dim>(fluid, solid, trial);
+    return {std::move(trial), report};
+}
+
+template <int Dim>
+Nodes<Dim> consistentStart(Problem<Dim> problem, Controls controls, const Mesh<Dim>& mesh,
+                           const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,
+                           const Nodes<Dim>& nodes, double dt) {
+    for (auto& material : problem.materials) material.fluid.kappa = 1e300;
+    controls.timeIntegration.gamma = 1;
+    controls.convergence.tolU = controls.convergence.tolP = 1e-11;
+    controls.convergence.maxIterations = 300;
+    const auto step = fsiStep<Dim>(problem, controls, mesh, topology, constraints, nodes, 1e-3 * dt, 0);
+    Nodes<Dim> start = nodes;
+    start.p = step.nodes.p;
+    start.a = step.nodes.a;
+    return start;
+}
+
+#define PFEM_INSTANTIATE(D)                                                                                  \
+    template StepResult<D> fsiStep<D>(const Problem<D>&, const Controls&, const Mesh<D>&, const Topology<D>&, \
+                                      const NodeConstraints<D>&, const Nodes<D>&, double, double);           \
+    template Nodes<D> consistentStart<D>(Problem<D>, Controls, const Mesh<D>&, const Topology<D>&,           \
+                                         const NodeConstraints<D>&, const Nodes<D>&, double);
+PFEM_INSTANTIATE(2)
+
+}  // namespace pfem

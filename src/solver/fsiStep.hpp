@@ -1,0 +1,38 @@
+#pragma once
+// One time step: Algorithm 1.
+
+#include "solver/controls.hpp"
+#include "state/problem.hpp"
+
+namespace pfem {
+
+/// What one step did; for the log.
+struct StepReport {
+    int iterations = 0;
+    int linearIterations = 0;             // conjugate gradients, all iterations together
+    double initialU = 0, finalU = 0;      // |dv|/|v| of the first and the last iteration
+    double initialP = 0, finalP = 0;      // |dp|/|p|
+};
+
+template <int Dim>
+struct StepResult {
+    Nodes<Dim> nodes;
+    StepReport report;
+};
+
+/// From state n to n+1 over dt. `divTarget`: wanted divergence of the fluid [1/s], 0 without volume correction.
+/// The velocities of wall nodes in `old` are kept (setWallVelocities comes first).
+/// Throws StepFailure when the step cannot be accepted; `old` is untouched.
+template <int Dim>
+StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, const Mesh<Dim>& mesh,
+                        const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,
+                        const Nodes<Dim>& old, double dt, double divTarget);
+
+/// Pressure and acceleration at t = 0 that agree with the forces (section 8 of the theory): one backward Euler
+/// step of vanishing length of the incompressible fluid, of which only p and a are kept.
+template <int Dim>
+Nodes<Dim> consistentStart(Problem<Dim> problem, Controls controls, const Mesh<Dim>& mesh,
+                           const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,
+                           const Nodes<Dim>& nodes, double dt);
+
+}  // namespace pfem
