@@ -17,6 +17,7 @@ struct Region {
     double h = 0;                   // the body's size [m]
     Vec<2> rowDirection = Vec<2>::UnitX();  // of the lattice: along the longest straight edge
     Vec<2> rowOrigin = Vec<2>::Zero();      // a node on that edge
+    double rowSpacing = 0;                  // of the nodes on that edge, were it divided evenly [m]
 
     double area() const;       // [m2]
     double perimeter() const;  // [m]

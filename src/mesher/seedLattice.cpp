@@ -9,9 +9,10 @@ namespace pfem {
 
 namespace {
 
-/// Calls f(x) for the points of a hexagonal lattice with edge length h inside the region, row by row.
+/// Calls f(x) for the points inside the region of a hexagonal lattice, `scale` times the body's size, row by row.
 template <class F>
-void forLattice(const Region& region, double h, F&& f) {
+void forLattice(const Region& region, double scale, F&& f) {
+    const double h = scale * region.rowSpacing;
     const Vec<2> e = region.rowDirection, n(-e.y(), e.x());
     const auto local = [&](const Vec<2>& x) {
         const Vec<2> d = x - region.rowOrigin;
@@ -24,7 +25,7 @@ void forLattice(const Region& region, double h, F&& f) {
         high = std::max(high, y);
     }
     // rows that fit between parallel sides
-    const double ideal = 0.5 * std::sqrt(3.0) * h;
+    const double ideal = 0.5 * std::sqrt(3.0) * scale * region.h;
     const double rowHeight = (high - low) / std::max(1.0, std::round((high - low) / ideal));
     const auto firstRow = static_cast<long>(std::floor(low / rowHeight));
     const auto nRows = static_cast<long>(std::ceil(high / rowHeight)) - firstRow + 1;
@@ -65,7 +66,7 @@ void seedLattice(Region& region, const SizeField& size) {
     const int levels = graded ? static_cast<int>(std::ceil(std::log(region.h / size.smallest()) / std::log(ratio))) : 0;
     for (int level = levels; level >= 0; --level) {
         const double h = region.h / std::pow(ratio, level);
-        forLattice(region, h, [&](const Vec<2>& x) {
+        forLattice(region, h / region.h, [&](const Vec<2>& x) {
             const double s = size.at(x, region.h);
             if (graded && (s > h * std::sqrt(ratio) || (s <= h / std::sqrt(ratio) && level < levels))) return;
             bool free = true;
