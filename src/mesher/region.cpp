@@ -45,6 +45,7 @@ void addLoop(Region& region, const std::vector<int>& nodes, const BoundaryNodes&
         region.edges.push_back({first + i, first + (i + 1) % n});
     }
     region.nBoundary = static_cast<int>(region.x.size());
+    ++region.nLoops;
 }
 
 /// Per edge of the chain: whether a wall shares it.

@@ -52,9 +52,11 @@ void forLattice(const Region& region, double scale, F&& f) {
 
 }  // namespace
 
-void seedLattice(Region& region, const SizeField& size) {
-    constexpr double clearance = 0.6;  // least distance from the boundary / size
-    constexpr double spacing = 0.75;   // least distance between points of different lattices / size
+namespace {
+
+/// Points not nearer to the boundary than `clearance` times the size.
+void seedAt(Region& region, const SizeField& size, double clearance) {
+    constexpr double spacing = 0.8;   // least distance between points of different lattices / size
     BinGrid boundary(region.h), points(region.h);
     for (int e = 0; e < static_cast<int>(region.edges.size()); ++e)
         boundary.addSegment(e, region.x[region.edges[e][0]], region.x[region.edges[e][1]]);
@@ -81,6 +83,31 @@ void seedLattice(Region& region, const SizeField& size) {
             region.x.push_back(x);
         });
     }
+}
+
+}  // namespace
+
+// A body a few edges wide gets too many or too few points with one rule for the first row: of several the one
+// which comes nearest to the number of equilateral triangles is taken.
+void seedLattice(Region& region, const SizeField& size) {
+    const double wanted = region.area() / (0.25 * std::sqrt(3.0) * region.h * region.h);
+    const auto triangles = [&](std::size_t nPoints) {  // Euler's formula; a hole adds two
+        return 2.0 * static_cast<double>(nPoints) - region.nBoundary - 2 + 2 * (region.nLoops - 1);
+    };
+    const Points<2> start = region.x;
+    Points<2> best;
+    double leastError = std::numeric_limits<double>::max();
+    for (const double clearance : {0.6, 0.55, 0.5, 0.65, 0.7}) {
+        region.x = start;
+        seedAt(region, size, clearance);
+        const double error = std::abs(triangles(region.x.size()) / wanted - 1);
+        if (error < leastError) {
+            leastError = error;
+            best = region.x;
+        }
+        if (leastError < 0.02 || size.graded(region.h)) break;
+    }
+    region.x = best;
 }
 
 }  // namespace pfem
