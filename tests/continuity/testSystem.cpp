@@ -35,7 +35,7 @@ struct Coupled {
         return pfem::solidMatrix<2>(c.problem, {}, c.state.mesh.solid, solid, dofs, mass, c.state.nodes.h, newmark);
     }
     ContinuitySystem<2> system(const ContinuityControls& controls) const {
-        return {c.problem, controls, c.state.mesh.fluid, topology, fluid, tau, x, dofs, A, newmark};
+        return {c.problem, controls, c.state.mesh.fluid, topology, constraints, fluid, tau, x, dofs, A, newmark};
     }
     /// R_c of pressure p and velocities v without gravity.
     std::vector<double> residual(const std::vector<double>& stabilisationTime, const std::vector<double>& p,
@@ -52,12 +52,11 @@ struct Coupled {
     Points<2> still() const { return Points<2>(n, Vec<2>::Zero()); }
 };
 
-// Without the Schur term and the compliance, with M_G as it is, the matrix is dR_c/dp.
+// Without the Schur term and the compliances, with M_G as it is, the matrix is dR_c/dp.
 TEST(ContinuitySystem, isTheDerivativeOfTheResidual) {
     Coupled s;
     ContinuityControls controls;
-    controls.schurScale = controls.complianceScale = 0;
-    controls.freeSurfaceScale = 1;
+    controls.schurScale = controls.complianceScale = controls.freeSurfaceScale = 0;
     auto R = randomNumbers(s.n, 1);
     const auto dp = s.system(controls).solve(R);
     const auto change = s.residual(s.tau, dp, s.still());
@@ -70,13 +69,13 @@ TEST(ContinuitySystem, isTheDerivativeOfTheResidual) {
 TEST(ContinuitySystem, schurTermIsALargerStabilisation) {
     Coupled s;
     ContinuityControls controls;
-    controls.complianceScale = 0;
+    controls.complianceScale = controls.freeSurfaceScale = 0;
     controls.schurScale = 1.5;
-    controls.freeSurfaceScale = 100;  // larger than the other candidate of the surface's diagonal
+    controls.freeSurfaceWeight = 3;
     auto R = randomNumbers(s.n, 1);
     const auto dp = s.system(controls).solve(R);
-    // tau L + s/(rho m) L, surface 100 tau M_G: from residuals with other taus
-    std::vector<double> more = s.tau, zero(s.tau.size(), 0.0);
+    // tau L + s/(rho m) L, surface 3 tau M_G: from residuals with other taus
+    std::vector<double> more = s.tau;
     for (double& t : more) t += 1.5 * s.newmark.dt / (2 * 1000);
     const auto volume = s.residual(more, dp, s.still());
     std::vector<double> surface(s.n, 0.0);
@@ -85,46 +84,55 @@ TEST(ContinuitySystem, schurTermIsALargerStabilisation) {
         const double length = (s.x[face.nodes[1]] - s.x[face.nodes[0]]).norm();
         const double height = 2 * s.fluid.element[face.cell].measure / length;
         for (int node : face.nodes)
-            surface[node] += (100 * s.tau[face.cell] - more[face.cell]) * length / height * dp[node];
+            surface[node] += (3 * s.tau[face.cell] - more[face.cell]) * length / height * dp[node];
     }
     for (int i = 0; i < s.n; ++i)
         if (s.topology.wet(i)) EXPECT_NEAR(volume[i] + surface[i] + R[i], 0, 1e-9);
 }
 
-// K_p dp + c B A_s^-1 B^T dp = -R with a dense elimination of the solid's velocities.
-TEST(ContinuitySystem, complianceOfTheElasticInterface) {
+// K_p dp + c_s B A_s^-1 B^T dp + c_f B m^-1 B^T dp = -R: with a dense elimination of the velocities of the elastic
+// interface and of the free surface.
+TEST(ContinuitySystem, complianceOfTheMovingBoundary) {
     Coupled s;
     ContinuityControls controls;
     controls.schurScale = 0;
-    controls.freeSurfaceScale = 1;
     controls.complianceScale = 2;
+    controls.freeSurfaceScale = 3;
     const auto R = randomNumbers(s.n, 1);
     const auto dp = s.system(controls).solve(R);
 
-    Eigen::MatrixXd A(s.dofs.n, s.dofs.n), B(s.n, s.dofs.n);
     const std::vector<double> zeroTau(s.tau.size(), 0.0), zero(s.n, 0.0);
+    const auto divergence = [&](int node, const Vec<2>& direction) {
+        Points<2> v = s.still();
+        v[node] = direction;
+        const auto Bv = s.residual(zeroTau, zero, v);
+        return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(Bv.data(), s.n));
+    };
+    Eigen::MatrixXd A(s.dofs.n, s.dofs.n), B(s.n, s.dofs.n);
     for (std::size_t k = 0; k < s.dofs.node.size(); ++k)
         for (int i = 0; i < s.dofs.count[s.dofs.node[k]]; ++i) {
             const int column = s.dofs.first[s.dofs.node[k]] + i;
             Eigen::VectorXd unit = Eigen::VectorXd::Zero(s.dofs.n);
             unit[column] = 1;
             A.col(column) = s.A.multiply(unit);
-            Points<2> v = s.still();
-            v[s.dofs.node[k]] = s.dofs.basis[k].col(i);
-            const auto Bv = s.residual(zeroTau, zero, v);
-            for (int node = 0; node < s.n; ++node) B(node, column) = Bv[node];
+            B.col(column) = divergence(s.dofs.node[k], s.dofs.basis[k].col(i));
         }
     EXPECT_LT((A - A.transpose()).norm(), 1e-12 * A.norm());
     const Eigen::VectorXd q = Eigen::Map<const Eigen::VectorXd>(dp.data(), s.n);
-    const Eigen::VectorXd yielding = 2 * B * A.partialPivLu().solve(B.transpose() * q);
-    const auto rigid = s.residual(s.tau, dp, s.still());
-    double part = 0;
-    for (int i = 0; i < s.n; ++i)
-        if (s.topology.wet(i)) {
-            EXPECT_NEAR(rigid[i] + yielding[i] + R[i], 0, 1e-8);
-            part = std::max(part, std::abs(yielding[i]));
+    const Eigen::VectorXd elastic = 2 * B * A.partialPivLu().solve(B.transpose() * q);
+    Eigen::VectorXd surface = Eigen::VectorXd::Zero(s.n);
+    for (int node = 0; node < s.n; ++node) {
+        if (!s.topology.freeSurface[node] || s.topology.onSolid[node]) continue;
+        for (int d = 0; d < 2; ++d) {
+            const auto b = divergence(node, Vec<2>::Unit(d));
+            surface += 3 * b.dot(q) / (s.newmark.massFactor() * 1000 * s.fluid.volume[node]) * b;
         }
-    EXPECT_GT(part, 0.1);
+    }
+    const auto rigid = s.residual(s.tau, dp, s.still());
+    for (int i = 0; i < s.n; ++i)
+        if (s.topology.wet(i)) EXPECT_NEAR(rigid[i] + elastic[i] + surface[i] + R[i], 0, 1e-8);
+    EXPECT_GT(elastic.cwiseAbs().maxCoeff(), 0.1);
+    EXPECT_GT(surface.cwiseAbs().maxCoeff(), 0.1);
 }
 
 TEST(ContinuitySystem, strongSurfaceHasNoUnknown) {
