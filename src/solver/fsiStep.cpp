@@ -107,7 +107,7 @@ StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, c
     MomentumSystem<Dim> momentum(problem, controls.momentum, mesh, topology, constraints, fluid, mass,
                                  std::move(dofs), std::move(solidA), newmark);
     const auto tau = stabilisation<Dim>(problem, mesh.fluid, fluid, old.v, dt);
-    const ContinuitySystem<Dim> continuity(problem, controls.continuity, mesh.fluid, topology, constraints, fluid, tau,
+    ContinuitySystem<Dim> continuity(problem, controls.continuity, mesh.fluid, topology, constraints, fluid, tau,
                                            old.x, momentum.solidDofs(), momentum.solidMatrix(), newmark);
 
     Convergence convergence(controls.convergence, problem.gravity.norm() * dt,
@@ -131,6 +131,7 @@ StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, c
             fluidStress<Dim>(problem, mesh.fluid, fluid, trial.v, trial.p), solid,
             solidElementStress<Dim>(problem, controls.solid, mesh.solid, solid, trial),
             tractionForce<Dim>(mesh, problem.conditions, trial.x));
+        momentum.setMass(mass);
         const auto dv = momentum.solve(R_m);
         for (int i = 0; i < trial.size(); ++i) trial.v[i] += dv[i];
         moveNodes<Dim>(newmark, constraints, topology, problem.gravity, old, trial);
@@ -139,6 +140,9 @@ StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, c
         updatePatches<Dim>(fluid, trial.x);
         const auto R_c = continuityResidual<Dim>(problem, controls.continuity, mesh.fluid, topology, fluid, tau,
                                                  trial, old.p, dt, divTarget);
+        if (report.iterations > 0 && report.iterations % controls.convergence.refactorEvery == 0)
+            continuity = ContinuitySystem<Dim>(problem, controls.continuity, mesh.fluid, topology, constraints, fluid,
+                                               tau, trial.x, momentum.solidDofs(), momentum.solidMatrix(), newmark);
         dp = continuity.solve(R_c);
         for (int i = 0; i < trial.size(); ++i) trial.p[i] += dp[i];
 
