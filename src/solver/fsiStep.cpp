@@ -26,20 +26,21 @@ Points<Dim> midpoint(const Points<Dim>& a, const Points<Dim>& b) {
     return m;
 }
 
-/// Positions and accelerations that follow from the trial velocities (22). Wall nodes stay; isolated particles
-/// are in ballistic flight.
+/// Positions and accelerations that follow from the trial velocities (22). Isolated particles are in ballistic flight
+/// or slide down their wall.
 template <int Dim>
 void moveNodes(const Newmark& newmark, const NodeConstraints<Dim>& constraints, const Topology<Dim>& topology,
                const Vec<Dim>& gravity, const Nodes<Dim>& old, Nodes<Dim>& trial) {
     const double dt = newmark.dt;
     for (int i = 0; i < old.size(); ++i) {
-        if (constraints.hold[i] == Hold::wall || constraints.hold[i] == Hold::fixed) continue;
+        if (constraints.hold[i] == Hold::fixed) continue;
+        const Vec<Dim> fall = constraints.project(i, gravity);
         if (topology.isolated(i)) {
-            trial.v[i] = old.v[i] + dt * gravity;
+            trial.v[i] = old.v[i] + dt * fall;
             trial.p[i] = 0;
         }
         trial.x[i] = newmark.position<Dim>(old.x[i], old.v[i], trial.v[i]);
-        trial.a[i] = topology.isolated(i) ? gravity : newmark.acceleration<Dim>(old.v[i], trial.v[i], old.a[i]);
+        trial.a[i] = topology.isolated(i) ? fall : newmark.acceleration<Dim>(old.v[i], trial.v[i], old.a[i]);
     }
 }
 
