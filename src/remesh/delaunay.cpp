@@ -8,6 +8,8 @@
 #include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
 
+#include "base/error.hpp"
+
 namespace pfem {
 
 namespace {
@@ -39,48 +41,59 @@ std::vector<Cdt::Vertex_handle> insertPoints(Cdt& cdt, const Points<2>& points, 
     return handle;
 }
 
-/// True when the open segment a-b crosses a constrained edge or passes through a vertex.
+/// True when a-b crosses a constrained edge or cannot be followed.
 bool isBlocked(const Cdt& cdt, Cdt::Vertex_handle a, Cdt::Vertex_handle b) {
-    auto walk = cdt.line_walk(a->point(), b->point(), a->face());
-    const auto done = walk;
+    auto start = a->face();
+    for (auto around = cdt.incident_faces(a); cdt.is_infinite(start); ++around) start = around;
+    auto walk = cdt.line_walk(a->point(), b->point(), start);
     if (walk == nullptr) return true;
-    do {
-        if (!cdt.is_infinite(walk))
-            for (int k = 0; k < 3; ++k) {
-                if (!walk->is_constrained(k)) continue;
-                const auto p = walk->vertex(cdt.cw(k));
-                const auto q = walk->vertex(cdt.ccw(k));
-                if (p == a || p == b || q == a || q == b) continue;
-                const auto side = [&](auto v, auto w, auto u) {
-                    return CGAL::orientation(v->point(), w->point(), u->point());
-                };
-                if (side(a, b, p) != side(a, b, q) && side(p, q, a) != side(p, q, b)) return true;
-            }
-        if (walk->has_vertex(b)) break;
-    } while (++walk != done);
-    return false;
-}
-
-void insertConstraints(Cdt& cdt, const std::vector<Cdt::Vertex_handle>& handle,
-                       const std::vector<Face<2>>& constraints) {
-    for (const auto& [i, j] : constraints) {
-        const auto a = handle[i];
-        const auto b = handle[j];
-        if (a == nullptr || b == nullptr || a == b) continue;
-        Cdt::Face_handle face;
-        int k = 0;
-        if (cdt.is_edge(a, b, face, k) || !isBlocked(cdt, a, b)) cdt.insert_constraint(a, b);
+    for (const auto done = walk;;) {
+        if (cdt.is_infinite(walk)) return true;
+        for (int k = 0; k < 3; ++k) {
+            if (!walk->is_constrained(k)) continue;
+            const auto p = walk->vertex(cdt.cw(k));
+            const auto q = walk->vertex(cdt.ccw(k));
+            if (p == a || p == b || q == a || q == b) continue;
+            const auto side = [](auto u, auto v, auto w) {
+                return CGAL::orientation(u->point(), v->point(), w->point());
+            };
+            if (side(a, b, p) != side(a, b, q) && side(p, q, a) != side(p, q, b)) return true;
+        }
+        if (walk->has_vertex(b)) return false;
+        if (++walk == done) return true;
     }
 }
 
-}  // namespace
+using Handles = std::vector<Cdt::Vertex_handle>;
 
-Triangulation<2> constrainedDelaunay(const Points<2>& points, const std::vector<int>& active,
-                                     const std::vector<Face<2>>& constraints) {
-    Cdt cdt;
-    const auto handle = insertPoints(cdt, points, active);
-    insertConstraints(cdt, handle, constraints);
+bool haveEdge(const Handles& handle, const Face<2>& face) {
+    return handle[face[0]] != nullptr && handle[face[1]] != nullptr && face[0] != face[1];
+}
 
+void insertFixed(Cdt& cdt, const Handles& handle, const std::vector<Face<2>>& faces) {
+    try {
+        for (const auto& face : faces)
+            if (haveEdge(handle, face)) cdt.insert_constraint(handle[face[0]], handle[face[1]]);
+    } catch (const Cdt::Intersection_of_constraints_exception&) {
+        throw StepFailure("walls and solids cross each other");
+    }
+}
+
+/// False when the triangulation was spoilt by crossing edges that the check had not seen.
+bool insertWished(Cdt& cdt, const Handles& handle, const std::vector<Face<2>>& faces) {
+    try {
+        for (const auto& face : faces) {
+            if (!haveEdge(handle, face)) continue;
+            const auto a = handle[face[0]], b = handle[face[1]];
+            if (cdt.is_edge(a, b) || !isBlocked(cdt, a, b)) cdt.insert_constraint(a, b);
+        }
+    } catch (const Cdt::Intersection_of_constraints_exception&) {
+        return false;
+    }
+    return true;
+}
+
+Triangulation<2> copyCells(Cdt& cdt) {
     Triangulation<2> result;
     int count = 0;
     for (auto face = cdt.all_faces_begin(); face != cdt.all_faces_end(); ++face)
@@ -93,6 +106,17 @@ Triangulation<2> constrainedDelaunay(const Points<2>& points, const std::vector<
             {face->neighbor(0)->info(), face->neighbor(1)->info(), face->neighbor(2)->info()});
     }
     return result;
+}
+
+}  // namespace
+
+Triangulation<2> constrainedDelaunay(const Points<2>& points, const std::vector<int>& active,
+                                     const std::vector<Face<2>>& fixed, const std::vector<Face<2>>& wished) {
+    Cdt cdt;
+    const Handles handle = insertPoints(cdt, points, active);
+    insertFixed(cdt, handle, fixed);
+    if (!insertWished(cdt, handle, wished)) return constrainedDelaunay(points, active, fixed, {});
+    return copyCells(cdt);
 }
 
 }  // namespace pfem

@@ -13,9 +13,11 @@ struct Triangulation {
     std::vector<std::array<int, Dim + 1>> neighbours;  // opposite to local node k; -1 outside the hull
 };
 
-/// `active`: the points that take part. `constraints`: faces that must appear; one that would cross an earlier
-/// one is left out. Points that coincide with an earlier point are left out.
+/// `active`: the points that take part; one that coincides with an earlier one is left out.
+/// `fixed`: faces that must appear (walls, solids). `wished`: faces that appear unless they would cross a fixed or
+/// an earlier one (free surface).
+/// Throws StepFailure when fixed faces cross each other.
 Triangulation<2> constrainedDelaunay(const Points<2>& points, const std::vector<int>& active,
-                                     const std::vector<Face<2>>& constraints);
+                                     const std::vector<Face<2>>& fixed, const std::vector<Face<2>>& wished);
 
 }  // namespace pfem

@@ -60,22 +60,26 @@ std::vector<int> carryOut(const NodePlan<Dim>& plan, State<Dim>& state) {
     return newIndex;
 }
 
+/// Faces of walls, solids and symmetry planes: no fluid triangle may cross them.
 template <int Dim>
-std::vector<Face<Dim>> constraintFaces(const RemeshingControls& controls, const State<Dim>& state,
-                                       const std::vector<PatchKind>& kinds, const NodePlan<Dim>& plan,
-                                       const std::vector<int>& newIndex) {
-    std::vector<Face<Dim>> constraints;
+std::vector<Face<Dim>> fixedFaces(const State<Dim>& state, const std::vector<PatchKind>& kinds) {
+    std::vector<Face<Dim>> fixed;
     const auto aroundSolid = nodeToCells<Dim>(state.mesh.solid.nodes, state.nodes.size());
-    for (const auto& face : boundaryFaces<Dim>(state.mesh.solid.nodes, aroundSolid)) constraints.push_back(face.nodes);
+    for (const auto& face : boundaryFaces<Dim>(state.mesh.solid.nodes, aroundSolid)) fixed.push_back(face.nodes);
     for (std::size_t k = 0; k < state.mesh.patches.size(); ++k)
         if (isWall(kinds[k]) || kinds[k] == PatchKind::symmetry)
-            for (const auto& face : state.mesh.patches[k].faces) constraints.push_back(face);
-    if (controls.keepSurface)
-        for (auto face : plan.surface) {
-            for (int& node : face) node = newIndex[node];
-            constraints.push_back(face);
-        }
-    return constraints;
+            for (const auto& face : state.mesh.patches[k].faces) fixed.push_back(face);
+    return fixed;
+}
+
+template <int Dim>
+std::vector<Face<Dim>> surfaceFaces(const RemeshingControls& controls, const NodePlan<Dim>& plan,
+                                    const std::vector<int>& newIndex) {
+    if (!controls.keepSurface) return {};
+    std::vector<Face<Dim>> surface = plan.surface;
+    for (auto& face : surface)
+        for (int& node : face) node = newIndex[node];
+    return surface;
 }
 
 /// What the selection rules ask about the new nodes.
@@ -116,10 +120,7 @@ void updateDrops(const MovedMesh<2>& moved, const std::vector<int>& newIndex, co
     const auto topology = makeTopology<2>(state.mesh, kinds, state.nodes.size());
     double change = 0;
     for (std::size_t i = 0; i < moved.x.size(); ++i) {
-        if (newIndex[i] < 0) {
-            change -= 0;  // removed nodes were wet
-            continue;
-        }
+        if (newIndex[i] < 0) continue;  // removed nodes were wet: they carried nothing
         const int node = newIndex[i];
         double& carried = state.nodes.dropVolume[node];
         const double before = carried;
@@ -144,15 +145,17 @@ RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKi
     const auto newIndex = carryOut<Dim>(plan, state);
 
     const auto triangulation = constrainedDelaunay(
-        state.nodes.x, activeNodes(state), constraintFaces<Dim>(controls, state, kinds, plan, newIndex));
+        state.nodes.x, activeNodes(state), fixedFaces<Dim>(state, kinds), surfaceFaces<Dim>(controls, plan, newIndex));
     const auto selected =
         selectFluid(controls, triangulation, candidateNodes(state, moved, newIndex), moved);
     state.mesh.fluid.nodes = selected.fluid;
     state.mesh.fluid.material.assign(selected.fluid.size(), material);
 
     const double change = cellVolume<Dim>(state.nodes.x, selected.fluid) - moved.volume;
-    state.ledger["contact"] += selected.gained;
-    state.ledger["dropped"] += change - selected.gained;
+    state.ledger["contact"] += selected.contact;
+    state.ledger["stretched"] -= selected.stretched;
+    state.ledger["released"] -= selected.released;
+    state.ledger["reshaped"] += change - selected.contact + selected.stretched + selected.released;
     updateDrops(moved, newIndex, kinds, state);
 
     RemeshReport report;

@@ -91,8 +91,8 @@ StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, c
     MomentumSystem<Dim> momentum(problem, controls.momentum, mesh, topology, constraints, fluid, mass,
                                  std::move(dofs), std::move(solidA), newmark);
     const auto tau = stabilisation<Dim>(problem, mesh.fluid, fluid, old.v, dt);
-    const ContinuitySystem<Dim> continuity(problem, controls.continuity, mesh.fluid, topology, fluid, tau, old.x,
-                                           momentum.solidDofs(), momentum.solidMatrix(), newmark);
+    const ContinuitySystem<Dim> continuity(problem, controls.continuity, mesh.fluid, topology, constraints, fluid, tau,
+                                           old.x, momentum.solidDofs(), momentum.solidMatrix(), newmark);
 
     Convergence convergence(controls.convergence, problem.gravity.norm() * dt,
                             pressureScale<Dim>(problem, mesh, old));

@@ -1,0 +1,74 @@
+// The solver: free-surface fluids, elastic solids and both together, from the latest (or chosen) time folder on.
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <ctime>
+#include <iostream>
+
+#include "application/runApplication.hpp"
+#include "case/timeControl.hpp"
+#include "functions/functionObjects.hpp"
+#include "io/series.hpp"
+#include "io/stateFiles.hpp"
+#include "solver/advance.hpp"
+#include "solver/log.hpp"
+#include "solver/outputFields.hpp"
+#include "solver/setup.hpp"
+
+using namespace pfem;
+
+namespace {
+
+double clockNow() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+double cpuNow() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+int run(const Options& options) {
+    const Case theCase = options.openCase();
+    std::cout << startBanner(options, theCase) << "Create time\n\n" << std::flush;
+    TimeControl clock(theCase);
+    std::cout << "Create mesh for time = " << clock.startName() << "\n\n" << std::flush;
+    State<2> state = readState<2>(clock.startFolder());
+    const Problem<2> problem = readProblem<2>(theCase, state.mesh);
+    const Controls controls = readControls(theCase);
+    FunctionObjects<2> functions(theCase, clock.dictionary(), clock.startName(), clock.controls().writePrecision);
+    warnUnused(clock.dictionary(), std::cerr);
+
+    double firstVolume = totalVolume(state);
+    for (const auto& [cause, amount] : state.ledger) firstVolume -= amount;
+    if (state.time.index == 0) startConsistently(problem, controls, state, clock.deltaT(state.time));
+    functions.start(state);
+
+    std::cout << "Starting time loop\n\n" << std::flush;
+    const double clockStart = clockNow(), timeStart = state.time.value;
+    while (clock.running(state.time)) {
+        const auto [courantMax, courantMean] = courantRate(state);
+        const double dt = clock.deltaT(state.time, courantMax);
+        const AdvanceReport report = advance(problem, controls, state, dt);
+        state.time = clock.advance(state.time, report.dt);
+
+        std::cout << courantLines(courantMean, courantMax, report.dt) << "Time = " << clock.name(state.time) << "\n\n"
+                  << stepLines(report, state, firstVolume);
+        functions.execute(state);
+        if (clock.writeDue(state.time)) {
+            writeState(clock.folder(state.time), state, outputFields(problem, state));
+            clock.written(state.time);
+            writeSeries(theCase.root());
+        }
+        const double done = (state.time.value - timeStart) / (clock.controls().endTime - timeStart);
+        std::cout << timeLines(cpuNow(), clockNow() - clockStart, done) << std::flush;
+    }
+    std::cout << "End\n\n";
+    return 0;
+}
+
+}  // namespace
+
+int main(int argc, char* argv[]) {
+    return runApplication(argc, argv,
+                          "Solve free-surface flow and elastic solids in one system (nodal PFEM), from the time "
+                          "folder that system/controlDict names",
+                          {}, run);
+}

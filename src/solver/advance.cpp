@@ -1,0 +1,106 @@
+#include "solver/advance.hpp"
+
+#include <chrono>
+
+#include "remesh/penetration.hpp"
+
+namespace pfem {
+
+namespace {
+
+double now() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Divergence that brings the volume back to its first value within `time`.
+template <int Dim>
+double volumeCorrection(const State<Dim>& state, double time) {
+    if (time == 0) return 0;
+    const double volume = totalVolume<Dim>(state);
+    double change = 0;
+    for (const auto& [cause, amount] : state.ledger) change += amount;
+    return volume > 0 ? -change / (volume * time) : 0;
+}
+
+/// The step with its repetitions.
+template <int Dim>
+StepResult<Dim> stepWithRetries(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state,
+                                const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints, double dt,
+                                double divTarget, AdvanceReport& report) {
+    const auto& limits = controls.convergence;
+    for (report.dt = dt;; report.dt *= 0.5) {
+        try {
+            return fsiStep<Dim>(problem, controls, state.mesh, topology, constraints, state.nodes, report.dt, divTarget);
+        } catch (const StepFailure& failure) {
+            ++report.rejected;
+            report.reasons.push_back(failure.what());
+            if (report.rejected > limits.maxHalvings || 0.5 * report.dt < limits.deltaTMin) throw;
+        }
+    }
+}
+
+}  // namespace
+
+template <int Dim>
+double totalVolume(const State<Dim>& state) {
+    double volume = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes);
+    for (double drop : state.nodes.dropVolume) volume += drop;
+    return volume;
+}
+
+template <int Dim>
+std::pair<double, double> courantRate(const State<Dim>& state) {
+    double largest = 0, sum = 0;
+    for (int i = 0; i < state.nodes.size(); ++i) {
+        const double rate = state.nodes.v[i].norm() / state.nodes.h[i];
+        largest = std::max(largest, rate);
+        sum += rate;
+    }
+    return {largest, state.nodes.size() > 0 ? sum / state.nodes.size() : 0};
+}
+
+template <int Dim>
+AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, State<Dim>& state, double dt) {
+    AdvanceReport report;
+    const double start = now();
+    const auto& kinds = problem.conditions.kind;
+    const auto topology = makeTopology<Dim>(state.mesh, kinds, state.nodes.size());
+    const auto constraints = nodeConstraints<Dim>(state.mesh, problem.conditions, topology, state.nodes.X);
+    setWallVelocities<Dim>(constraints, topology, state.mesh.fluid.nodes, state.nodes.v);
+
+    const double volume = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes);
+    const double divTarget = volumeCorrection<Dim>(state, controls.continuity.volumeCorrectionTime);
+    auto result = stepWithRetries<Dim>(problem, controls, state, topology, constraints, dt, divTarget, report);
+    report.step = result.report;
+    const Points<Dim> xOld = std::move(state.nodes.x);
+    state.nodes = std::move(result.nodes);
+
+    const double moved = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes);
+    const double correction = divTarget * volume * report.dt;
+    state.ledger["correction"] += correction;
+    state.ledger["solver"] += moved - volume - correction;
+    report.seconds[0] = now() - start;
+
+    report.returned = returnPenetrating<Dim>(topology, kinds, xOld, controls.remeshing.wallDistance, state);
+    report.mesh = remesh<Dim>(controls.remeshing, kinds, state);
+    report.seconds[1] = now() - start - report.seconds[0];
+    return report;
+}
+
+template <int Dim>
+void startConsistently(const Problem<Dim>& problem, const Controls& controls, State<Dim>& state, double dt) {
+    const auto topology = makeTopology<Dim>(state.mesh, problem.conditions.kind, state.nodes.size());
+    const auto constraints = nodeConstraints<Dim>(state.mesh, problem.conditions, topology, state.nodes.X);
+    setWallVelocities<Dim>(constraints, topology, state.mesh.fluid.nodes, state.nodes.v);
+    state.nodes =
+        consistentStart<Dim>(problem, controls, state.mesh, topology, constraints, state.nodes, dt);
+}
+
+#define PFEM_INSTANTIATE(D)                                                                                  \
+    template double totalVolume<D>(const State<D>&);                                                         \
+    template std::pair<double, double> courantRate<D>(const State<D>&);                                      \
+    template AdvanceReport advance<D>(const Problem<D>&, const Controls&, State<D>&, double);                \
+    template void startConsistently<D>(const Problem<D>&, const Controls&, State<D>&, double);
+PFEM_INSTANTIATE(2)
+
+}  // namespace pfem

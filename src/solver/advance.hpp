@@ -1,0 +1,37 @@
+#pragma once
+// One accepted time step: Algorithm 1 with rejection and repetition, then new connectivity.
+
+#include "remesh/remesh.hpp"
+#include "solver/fsiStep.hpp"
+
+namespace pfem {
+
+struct AdvanceReport {
+    StepReport step;
+    RemeshReport mesh;
+    double dt = 0;      // the step that was accepted [s]
+    int rejected = 0;   // tries that were not
+    int returned = 0;   // nodes put back from behind walls or out of solids
+    std::vector<std::string> reasons;  // of the rejections
+    double seconds[2] = {0, 0};        // wall time of the step and of the remeshing
+};
+
+/// Advance `state` by dt or, after rejected tries, by dt/2, dt/4, ...; state.time is left to the caller.
+/// Fluid volume by cause is added to state.ledger. Throws StepFailure after maxHalvings or below deltaTMin; the
+/// state is then the last good one.
+template <int Dim>
+AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, State<Dim>& state, double dt);
+
+/// Volume of the fluid's cells plus what isolated particles carry.
+template <int Dim>
+double totalVolume(const State<Dim>& state);
+
+/// Largest |v|/h over moving nodes [1/s]: times dt the Courant number. Also its mean.
+template <int Dim>
+std::pair<double, double> courantRate(const State<Dim>& state);
+
+/// p and a at the very start of a run that agree with the forces.
+template <int Dim>
+void startConsistently(const Problem<Dim>& problem, const Controls& controls, State<Dim>& state, double dt);
+
+}  // namespace pfem

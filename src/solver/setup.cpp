@@ -1,0 +1,59 @@
+#include "solver/setup.hpp"
+
+#include <iostream>
+
+namespace pfem {
+
+namespace {
+
+template <int Dim>
+Vec<Dim> readGravity(const Dictionary& dict) {
+    return dict.get<Eigen::Vector3d>("value").head<Dim>();
+}
+
+template <class Options>
+void readPart(const Dictionary& dict, const std::string& name, Options& options) {
+    readEntries(dict.subDictOrEmpty(name), options);
+}
+
+}  // namespace
+
+template <int Dim>
+Problem<Dim> readProblem(const Case& theCase, const Mesh<Dim>& mesh) {
+    Problem<Dim> problem;
+    const Dictionary materials = Dictionary::read(theCase.constant("materials"));
+    const auto all = readMaterials(materials);
+    for (const auto& name : mesh.materials) problem.materials.push_back(findMaterial(all, name));
+    const auto check = [&](const Cells<Dim>& cells, MaterialKind kind, const char* word) {
+        for (int m : cells.material)
+            if (problem.materials[m].kind != kind)
+                throw UserError("material '" + problem.materials[m].name + "' is not a " + word, materials.where());
+    };
+    check(mesh.fluid, MaterialKind::fluid, "fluid");
+    check(mesh.solid, MaterialKind::solid, "solid");
+
+    const Dictionary g = Dictionary::read(theCase.constant("g"));
+    problem.gravity = readGravity<Dim>(g);
+    const Dictionary conditions = Dictionary::read(theCase.constant("boundaryConditions"));
+    problem.conditions = readBoundaryConditions<Dim>(conditions, mesh.patches);
+    for (const auto* dict : {&materials, &conditions}) warnUnused(*dict, std::cerr);
+    return problem;
+}
+
+Controls readControls(const Case& theCase) {
+    Controls controls;
+    if (!std::filesystem::exists(theCase.system("pfemSolution"))) return controls;
+    const Dictionary dict = Dictionary::read(theCase.system("pfemSolution"));
+    readPart(dict, "timeIntegration", controls.timeIntegration);
+    readPart(dict, "convergence", controls.convergence);
+    readPart(dict, "momentum", controls.momentum);
+    readPart(dict, "continuity", controls.continuity);
+    readPart(dict, "solid", controls.solid);
+    readPart(dict, "remeshing", controls.remeshing);
+    warnUnused(dict, std::cerr);
+    return controls;
+}
+
+template Problem<2> readProblem<2>(const Case&, const Mesh<2>&);
+
+}  // namespace pfem

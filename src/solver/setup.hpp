@@ -1,0 +1,18 @@
+#pragma once
+// From the case's dictionaries to the problem and the controls.
+
+#include "case/case.hpp"
+#include "solver/controls.hpp"
+#include "state/problem.hpp"
+
+namespace pfem {
+
+/// constant/materials, constant/g and constant/boundaryConditions for this mesh. Unused entries are warned of.
+/// Throws UserError.
+template <int Dim>
+Problem<Dim> readProblem(const Case& theCase, const Mesh<Dim>& mesh);
+
+/// system/pfemSolution; without the file all defaults.
+Controls readControls(const Case& theCase);
+
+}  // namespace pfem
