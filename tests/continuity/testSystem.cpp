@@ -61,7 +61,9 @@ TEST(ContinuitySystem, isTheDerivativeOfTheResidual) {
     const auto dp = s.system(controls).solve(R);
     const auto change = s.residual(s.tau, dp, s.still());
     for (int i = 0; i < s.n; ++i) {
-        if (s.topology.wet(i)) EXPECT_NEAR(change[i] + R[i], 0, 1e-9);
+        if (s.topology.wet(i)) {
+            EXPECT_NEAR(change[i] + R[i], 0, 1e-9);
+        }
         else EXPECT_EQ(dp[i], 0);
     }
 }
@@ -87,7 +89,9 @@ TEST(ContinuitySystem, schurTermIsALargerStabilisation) {
             surface[node] += (3 * s.tau[face.cell] - more[face.cell]) * length / height * dp[node];
     }
     for (int i = 0; i < s.n; ++i)
-        if (s.topology.wet(i)) EXPECT_NEAR(volume[i] + surface[i] + R[i], 0, 1e-9);
+        if (s.topology.wet(i)) {
+            EXPECT_NEAR(volume[i] + surface[i] + R[i], 0, 1e-9);
+        }
 }
 
 // K_p dp + c_s B A_s^-1 B^T dp + c_f B m^-1 B^T dp = -R: with a dense elimination of the velocities of the elastic
@@ -130,7 +134,9 @@ TEST(ContinuitySystem, complianceOfTheMovingBoundary) {
     }
     const auto rigid = s.residual(s.tau, dp, s.still());
     for (int i = 0; i < s.n; ++i)
-        if (s.topology.wet(i)) EXPECT_NEAR(rigid[i] + elastic[i] + surface[i] + R[i], 0, 1e-8);
+        if (s.topology.wet(i)) {
+            EXPECT_NEAR(rigid[i] + elastic[i] + surface[i] + R[i], 0, 1e-8);
+        }
     EXPECT_GT(elastic.cwiseAbs().maxCoeff(), 0.1);
     EXPECT_GT(surface.cwiseAbs().maxCoeff(), 0.1);
 }
@@ -143,7 +149,9 @@ TEST(ContinuitySystem, strongSurfaceHasNoUnknown) {
     const auto dp = system.solve(randomNumbers(s.n, 1));
     for (int i = 0; i < s.n; ++i) {
         EXPECT_EQ(system.hasUnknown(i), s.topology.wet(i) && !s.topology.freeSurface[i]);
-        if (s.topology.freeSurface[i]) EXPECT_EQ(dp[i], 0);
+        if (s.topology.freeSurface[i]) {
+            EXPECT_EQ(dp[i], 0);
+        }
     }
 }
 

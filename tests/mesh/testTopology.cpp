@@ -63,7 +63,7 @@ TEST(Adjacency, boundaryFacesHaveTheirCellOnTheLeft) {
 }
 
 TEST(Topology, kindsOfFaces) {
-    const auto t = makeTopology<2>(layers(), {PatchKind::slipWall}, 11);
+    const auto t = makeTopology<2>(layers(), {PatchKind::slipWall}, std::vector<int>(11, -1));
     const auto kinds = facesOf(t);
     EXPECT_EQ(kinds.size(), 6u);
     EXPECT_EQ(kinds.at({3, 4}), FaceKind::interface);
@@ -75,7 +75,7 @@ TEST(Topology, kindsOfFaces) {
 }
 
 TEST(Topology, rolesOfNodes) {
-    const auto t = makeTopology<2>(layers(), {PatchKind::slipWall}, 11);
+    const auto t = makeTopology<2>(layers(), {PatchKind::slipWall}, std::vector<int>(11, -1));
     const auto is = [](const auto& flag) {
         std::vector<int> nodes;
         for (int i = 0; i < 11; ++i)
@@ -83,11 +83,35 @@ TEST(Topology, rolesOfNodes) {
         return nodes;
     };
     EXPECT_EQ(is([&](int i) { return t.onSolid[i]; }), (std::vector<int>{0, 1, 2, 3, 4, 5}));
-    EXPECT_EQ(is([&](int i) { return t.onWall[i]; }), (std::vector<int>{5, 8, 10}));
+    EXPECT_EQ(is([&](int i) { return t.corner[i]; }), (std::vector<int>{5, 8, 10}));
+    EXPECT_EQ(is([&](int i) { return t.held(i); }), (std::vector<int>{0, 1, 2, 3, 4, 5, 8, 10}));
     EXPECT_EQ(is([&](int i) { return t.freeSurface[i]; }), (std::vector<int>{3, 6, 7, 8}));
     EXPECT_EQ(is([&](int i) { return t.wet(i); }), (std::vector<int>{3, 4, 5, 6, 7, 8}));
     EXPECT_EQ(is([&](int i) { return t.interface(i); }), (std::vector<int>{3, 4, 5}));
-    EXPECT_EQ(is([&](int i) { return t.isolated(i); }), (std::vector<int>{9}));  // 10 is a dry wall node
+    EXPECT_EQ(is([&](int i) { return t.isolated(i); }), (std::vector<int>{9}));  // 10 is a dry corner of a wall
+}
+
+// Nodes slide along walls whose faces have only corners as nodes of their own.
+TEST(Topology, facesOfSlidingNodes) {
+    // floor from corner 0 to corner 4, wall from corner 4 up to 5; nodes 1 2 slide along the floor, 6 along the wall
+    Mesh<2> mesh;
+    mesh.fluid.nodes = {{1, 2, 3}, {2, 4, 6}, {2, 6, 3}};
+    mesh.fluid.material.assign(3, 0);
+    mesh.patches = {{"outlet", {{7, 8}}}, {"tank", {{0, 4}, {4, 5}}}};
+    const std::vector<int> wall = {-1, 1, 1, -1, -1, -1, 2, -1, -1};  // counted over all patches
+    const auto t = makeTopology<2>(mesh, {PatchKind::symmetry, PatchKind::slipWall}, wall);
+    const auto kinds = facesOf(t);
+    EXPECT_EQ(kinds.size(), 5u);
+    EXPECT_EQ(kinds.at({1, 2}), FaceKind::wall);
+    EXPECT_EQ(kinds.at({2, 4}), FaceKind::wall);  // with the corner
+    EXPECT_EQ(kinds.at({4, 6}), FaceKind::wall);
+    EXPECT_EQ(kinds.at({3, 6}), FaceKind::freeSurface);
+    EXPECT_EQ(kinds.at({1, 3}), FaceKind::freeSurface);
+    EXPECT_TRUE(t.onWall[1] && t.onWall[6] && !t.onWall[4]);
+    EXPECT_FALSE(t.isolated(0));  // a dry corner
+    const auto across = facesOf(makeTopology<2>({{{{2, 6, 3}}, {0}}, {}, mesh.patches, {}},
+                                                {PatchKind::symmetry, PatchKind::slipWall}, wall));
+    EXPECT_EQ(across.at({2, 6}), FaceKind::freeSurface);  // two walls: across the corner, not along a wall
 }
 
 TEST(Topology, twoFreeSurfaceNodesDoNotMakeAFace) {
@@ -95,7 +119,7 @@ TEST(Topology, twoFreeSurfaceNodesDoNotMakeAFace) {
     Mesh<2> mesh;
     mesh.fluid.nodes = {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}};
     mesh.fluid.material.assign(4, 0);
-    const auto t = makeTopology<2>(mesh, {}, 6);
+    const auto t = makeTopology<2>(mesh, {}, std::vector<int>(6, -1));
     const auto kinds = facesOf(t);
     EXPECT_EQ(kinds.size(), 6u);
     EXPECT_EQ(kinds.count({1, 4}), 0u);
@@ -113,7 +137,7 @@ TEST(Topology, faceAcrossAConcaveSolidCorner) {
     mesh.solid.material.assign(2, 1);
     mesh.fluid.nodes = {{0, 1, 2}};
     mesh.fluid.material.assign(1, 0);
-    const auto t = makeTopology<2>(mesh, {}, 5);
+    const auto t = makeTopology<2>(mesh, {}, std::vector<int>(5, -1));
     const auto kinds = facesOf(t);
     EXPECT_EQ(kinds.at({0, 1}), FaceKind::interface);
     EXPECT_EQ(kinds.at({1, 2}), FaceKind::interface);
@@ -125,10 +149,10 @@ TEST(Topology, faceOnASymmetryPatchIsClosed) {
     mesh.fluid.nodes = {{0, 1, 2}};
     mesh.fluid.material.assign(1, 0);
     mesh.patches = {{"plane", {{0, 1}}}};
-    const auto kinds = facesOf(makeTopology<2>(mesh, {PatchKind::symmetry}, 3));
+    const auto kinds = facesOf(makeTopology<2>(mesh, {PatchKind::symmetry}, {-1, -1, -1}));
     EXPECT_EQ(kinds.at({0, 1}), FaceKind::wall);
     EXPECT_EQ(kinds.at({1, 2}), FaceKind::freeSurface);
-    const auto clamped = facesOf(makeTopology<2>(mesh, {PatchKind::clamped}, 3));
+    const auto clamped = facesOf(makeTopology<2>(mesh, {PatchKind::clamped}, {-1, -1, -1}));
     EXPECT_EQ(clamped.at({0, 1}), FaceKind::freeSurface);
 }
 
@@ -138,7 +162,7 @@ TEST(Topology, threeDimensions) {
     mesh.fluid.material = {0};
     mesh.solid.nodes = {{0, 2, 1, 4}};
     mesh.solid.material = {1};
-    const auto t = makeTopology<3>(mesh, {}, 5);
+    const auto t = makeTopology<3>(mesh, {}, std::vector<int>(5, -1));
     int interface = 0, surface = 0;
     for (const auto& face : t.faces) {
         interface += face.kind == FaceKind::interface;

@@ -1,4 +1,4 @@
-// Constraints of nodes and the velocities of slip walls.
+// What walls and patches let the nodes do.
 
 #include <gtest/gtest.h>
 
@@ -15,40 +15,24 @@ TestCase tank(const std::string& words) {
                     water, words);
 }
 
-TEST(NodeConstraints, wallsAndCorners) {
+TEST(NodeConstraints, nodesSlideAlongSlipWalls) {
     const TestCase c = tank("floor { type slip; } sides { type slip; }");
-    const auto topology = c.topology();
-    const auto constraints = c.constraints(topology);
+    const auto constraints = c.constraints(c.topology());
     const auto at = [&](double x, double y) { return nearestNode(c.state.nodes.x, {x, y}); };
     const int floor = at(0.5, 0), side = at(1, 0.2), corner = at(1, 0), inside = at(0.5, 0.3);
-    EXPECT_EQ(constraints.hold[floor], Hold::wall);
-    EXPECT_TRUE(constraints.slip[floor]);
-    EXPECT_NEAR(std::abs(constraints.normal[floor][1]), 1, 1e-12);
-    EXPECT_NEAR(std::abs(constraints.normal[side][0]), 1, 1e-12);
-    EXPECT_EQ(constraints.hold[corner], Hold::wall);
-    EXPECT_FALSE(constraints.slip[corner]);
-    EXPECT_EQ(constraints.hold[inside], Hold::free);
+    EXPECT_LT((constraints.project(floor, {3, 4}) - Vec<2>(3, 0)).norm(), 1e-12);
+    EXPECT_LT((constraints.project(side, {3, 4}) - Vec<2>(0, 4)).norm(), 1e-12);
+    EXPECT_EQ(constraints.project(corner, {3, 4}).norm(), 0);
+    EXPECT_EQ(constraints.project(inside, {3, 4}), Vec<2>(3, 4));
 }
 
-TEST(NodeConstraints, noSlipPrevails) {
-    const TestCase c = tank("floor { type noSlip; } sides { type slip; }");
+TEST(NodeConstraints, nodesStickToNoSlipWalls) {
+    const TestCase c = tank("floor { type noSlip; } sides { type noSlip; }");
     const auto constraints = c.constraints(c.topology());
-    EXPECT_FALSE(constraints.slip[nearestNode(c.state.nodes.x, {0.5, 0})]);
-    EXPECT_TRUE(constraints.slip[nearestNode(c.state.nodes.x, {1, 0.2})]);
-    EXPECT_FALSE(constraints.slip[nearestNode(c.state.nodes.x, {1, 0})]);
-}
-
-TEST(WallVelocities, tangentialMeanOfTheFluid) {
-    TestCase c = tank("floor { type slip; } sides { type noSlip; }");
-    const auto topology = c.topology();
-    const auto constraints = c.constraints(topology);
-    Points<2> v(c.state.nodes.size(), Vec<2>(2, -3));
-    setWallVelocities<2>(constraints, topology, c.state.mesh.fluid.nodes, v);
-    EXPECT_LT((v[nearestNode(c.state.nodes.x, {0.5, 0})] - Vec<2>(2, 0)).norm(), 1e-12);
-    EXPECT_EQ(v[nearestNode(c.state.nodes.x, {1, 0.2})].norm(), 0);  // no slip
-    EXPECT_EQ(v[nearestNode(c.state.nodes.x, {1, 0.9})].norm(), 0);  // dry
-    EXPECT_EQ(v[nearestNode(c.state.nodes.x, {1, 0})].norm(), 0);    // corner
-    EXPECT_LT((v[nearestNode(c.state.nodes.x, {0.5, 0.3})] - Vec<2>(2, -3)).norm(), 1e-15);
+    const auto at = [&](double x, double y) { return nearestNode(c.state.nodes.x, {x, y}); };
+    EXPECT_EQ(constraints.hold[at(0.5, 0)], Hold::fixed);
+    EXPECT_EQ(constraints.hold[at(1, 0.2)], Hold::fixed);
+    EXPECT_EQ(constraints.hold[at(1, 0.5)], Hold::slide);  // the contact line could not move otherwise
 }
 
 TEST(NodeConstraints, symmetrySlidesAndCornersHold) {

@@ -50,7 +50,9 @@ TEST(MomentumSystem, solutionBalancesTheResidual) {
             if (dofs.local[i] >= 0) sum[i] += Au.segment<2>(dofs.first[i]);
             else if (!topology.onSolid[i]) sum[i] += newmark.massFactor() * mass[i] * dv[i];
             sum[i] = constraints.project(i, sum[i]);
-            if (constraints.hold[i] == Hold::fixed) EXPECT_EQ(dv[i].norm(), 0);
+            if (constraints.hold[i] == Hold::fixed) {
+                EXPECT_EQ(dv[i].norm(), 0);
+            }
         }
         EXPECT_LT(largest(sum), 1e-10) << theta;
     }

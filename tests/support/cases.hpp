@@ -19,9 +19,9 @@ struct TestCase {
     Controls controls;
 
     const std::vector<PatchKind>& kinds() const { return problem.conditions.kind; }
-    Topology<2> topology() const { return makeTopology<2>(state.mesh, kinds(), state.nodes.size()); }
+    Topology<2> topology() const { return makeTopology<2>(state.mesh, kinds(), state.nodes.wall); }
     NodeConstraints<2> constraints(const Topology<2>& topology) const {
-        return nodeConstraints<2>(state.mesh, problem.conditions, topology, state.nodes.X);
+        return nodeConstraints<2>(state.mesh, problem.conditions, topology, state.nodes);
     }
     void start(double dt) { startConsistently<2>(problem, controls, state, dt); }
     AdvanceReport step(double dt) {
