@@ -10,7 +10,7 @@ namespace pfem {
 /// Sub-dictionary `continuity`.
 struct ContinuityControls {
     double schurScale = 1;
-    double complianceScale = 2;
+    double complianceScale = 3;
     double freeSurfaceScale = 4;
     double freeSurfaceWeight = 1;
     std::string freeSurfacePressure = "weak";
