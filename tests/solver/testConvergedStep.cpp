@@ -64,9 +64,9 @@ TEST_P(ConvergedStep, isTheSame) {
 INSTANTIATE_TEST_SUITE_P(
     , ConvergedStep,
     testing::Values(Change{"theta", [](Controls& c) { c.momentum.theta = 1; }},
-                    Change{"schurScale", [](Controls& c) { c.continuity.schurScale = 2; }},
-                    Change{"complianceScale", [](Controls& c) { c.continuity.complianceScale = 4; }},
-                    Change{"freeSurfaceScale", [](Controls& c) { c.continuity.freeSurfaceScale = 8; }}),
+                    Change{"schurScale", [](Controls& c) { c.continuity.schurScale *= 2; }},
+                    Change{"complianceScale", [](Controls& c) { c.continuity.complianceScale *= 2; }},
+                    Change{"freeSurfaceScale", [](Controls& c) { c.continuity.freeSurfaceScale *= 2; }}),
     [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
