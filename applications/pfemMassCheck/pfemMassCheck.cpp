@@ -27,7 +27,8 @@ void printTable(const std::vector<MassBalance>& rows) {
 
 double readTolerance(const Options& options) {
     const auto tolerance = asNumber(options.get("tolerance", "0.015"));
-    if (!tolerance || *tolerance < 0) throw UserError("-tolerance needs a number, not '" + options.get("tolerance") + "'");
+    if (!tolerance || *tolerance < 0)
+        throw UserError("-tolerance needs a number, not '" + options.get("tolerance") + "'");
     return *tolerance;
 }
 
@@ -42,10 +43,12 @@ int main(int argc, char** argv) {
             const double tolerance = readTolerance(options);
             const auto first = listTimes(theCase.root()).complete;
             const auto times = selectTimes(theCase, options);
-            const MassAccount<2> account(readState<2>(theCase.time(first.front().name)), readDensities(theCase.root()));
+            const MassAccount<2> account(readState<2>(theCase.time(first.front().name)),
+                                         readDensities(theCase.root()));
 
             std::vector<MassBalance> rows;
-            for (const auto& time : times) rows.push_back(account.balance(readState<2>(theCase.time(time.name))));
+            for (const auto& time : times)
+                rows.push_back(account.balance(readState<2>(theCase.time(time.name))));
             printTable(rows);
 
             const MassBalance* worst = &rows.front();

@@ -28,10 +28,12 @@ OptionsSpec probeOptions() {
 /// The dictionary with `functions` that the options ask for.
 Dictionary functionsOf(const Case& theCase, const Options& options) {
     if (!options.found("point")) return Dictionary::read(options.get("dict", theCase.controlDict().string()));
-    return Dictionary::parse(fmt::format("functions {{ {} {{ type probes; fields {}; probeLocations ({}); fixedLocations {}; }} }}",
-                                         options.get("name", "point"), options.get("fields", "(U p)"),
-                                         options.get("point"), options.found("moving") ? "false" : "true"),
-                             "command line");
+    return Dictionary::parse(
+        fmt::format(
+            "functions {{ {} {{ type probes; fields {}; probeLocations ({}); fixedLocations {}; }} }}",
+            options.get("name", "point"), options.get("fields", "(U p)"), options.get("point"),
+            options.found("moving") ? "false" : "true"),
+        "command line");
 }
 
 /// Tables of the run itself are denser than the written times: do not lose them by accident.

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <boost/program_options.hpp>
 #include <algorithm>
+#include <boost/program_options.hpp>
 #include <cctype>
 #include <filesystem>
 
@@ -26,7 +26,8 @@ const std::vector<OptionSpec>& commonOptions() {
 std::vector<OptionSpec> allOptions(const OptionsSpec& spec) {
     std::vector<OptionSpec> all = commonOptions();
     all.insert(all.end(), spec.options.begin(), spec.options.end());
-    std::sort(all.begin(), all.end(), [](const OptionSpec& a, const OptionSpec& b) { return a.name < b.name; });
+    std::sort(all.begin(), all.end(),
+              [](const OptionSpec& a, const OptionSpec& b) { return a.name < b.name; });
     return all;
 }
 
@@ -37,14 +38,16 @@ std::string bareName(std::string token) {
 }
 
 bool looksLikeOption(const std::string& token) {
-    return token.size() > 1 && token[0] == '-' && !std::isdigit(static_cast<unsigned char>(token[1])) && token[1] != '.';
+    return token.size() > 1 && token[0] == '-' && !std::isdigit(static_cast<unsigned char>(token[1])) &&
+           token[1] != '.';
 }
 
 [[noreturn]] void invalidOption(const std::string& token, const std::vector<OptionSpec>& all) {
     std::vector<std::string> names;
     for (const auto& option : all) names.push_back(option.name);
     const std::string near = nearestWord(bareName(token), names);
-    throw UserError("Invalid option: -" + bareName(token) + (near.empty() ? "" : " (did you mean '-" + near + "'?)"));
+    throw UserError("Invalid option: -" + bareName(token) +
+                    (near.empty() ? "" : " (did you mean '-" + near + "'?)"));
 }
 
 }  // namespace
@@ -75,7 +78,8 @@ Options::Options(int argc, const char* const* argv, const OptionsSpec& spec) {
     const int style = (po::command_line_style::unix_style | po::command_line_style::allow_long_disguise) &
                       ~po::command_line_style::allow_guessing & ~po::command_line_style::allow_short;
     try {
-        const auto parsed = po::command_line_parser(argc, argv).options(description).style(style).allow_unregistered().run();
+        const auto parsed =
+            po::command_line_parser(argc, argv).options(description).style(style).allow_unregistered().run();
         for (const auto& option : parsed.options) {
             if (option.unregistered) invalidOption(option.original_tokens.at(0), all);
             if (option.position_key >= 0) {  // an unknown -foo arrives here as well
@@ -97,8 +101,9 @@ Options::Options(int argc, const char* const* argv, const OptionsSpec& spec) {
         throw UserError(std::string("Invalid command line: ") + error.what());
     }
     if (!found("help") && arguments_.size() != spec.arguments.size())
-        throw UserError(fmt::format("Expected {} arguments but found {}", spec.arguments.size(), arguments_.size()) +
-                        (arguments_.empty() ? "" : ": '" + arguments_.front() + "'"));
+        throw UserError(
+            fmt::format("Expected {} arguments but found {}", spec.arguments.size(), arguments_.size()) +
+            (arguments_.empty() ? "" : ": '" + arguments_.front() + "'"));
 }
 
 std::string Options::get(const std::string& name, const std::string& defaultValue) const {
@@ -106,14 +111,17 @@ std::string Options::get(const std::string& name, const std::string& defaultValu
     return value == values_.end() ? defaultValue : value->second;
 }
 
-Case Options::openCase() const { return Case(get("case", "."), program_); }
+Case Options::openCase() const {
+    return Case(get("case", "."), program_);
+}
 
 std::string helpText(const std::string& program, const std::string& description, const OptionsSpec& spec) {
     std::string text = "\nUsage: " + program + " [OPTIONS]";
     for (const auto& argument : spec.arguments) text += " <" + argument + ">";
     text += "\nOptions:\n";
     for (const auto& option : allOptions(spec)) {
-        const std::string left = "  -" + option.name + (option.argument.empty() ? "" : " <" + option.argument + ">");
+        const std::string left =
+            "  -" + option.name + (option.argument.empty() ? "" : " <" + option.argument + ">");
         text += left.size() < 19 ? fmt::format("{:<20}{}\n", left, option.help)
                                  : fmt::format("{}\n{:<20}{}\n", left, "", option.help);
     }

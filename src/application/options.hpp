@@ -26,7 +26,6 @@ struct OptionsSpec {
     OptionsSpec& addTimeSelection();
 };
 
-
 /// The parsed command line.
 class Options {
 public:

@@ -55,10 +55,11 @@ std::string startBanner(const Options& options, const Case& theCase) {
     return "/*---------------------------------------------------------------------------*\\\n"
            "| libpfem: Particle Finite Element Method with nodal integration              |\n"
            "\\*---------------------------------------------------------------------------*/\n" +
-           fmt::format("Build  : PFEM={}\nExec   : {}\nDate   : {}\nTime   : {}\nHost   : {}\nPID    : {}\n"
-                       "Case   : {}\nnProcs : 1\n",
-                       PFEM_VERSION, exec, now("%b %d %Y"), now("%H:%M:%S"), host(), getpid(),
-                       theCase.root().string()) +
+           fmt::format(
+               "Build  : PFEM={}\nExec   : {}\nDate   : {}\nTime   : {}\nHost   : {}\nPID    : {}\n"
+               "Case   : {}\nnProcs : 1\n",
+               PFEM_VERSION, exec, now("%b %d %Y"), now("%H:%M:%S"), host(), getpid(),
+               theCase.root().string()) +
            line + "//\n";
 }
 

@@ -41,7 +41,8 @@ std::vector<TimeRange> parseTimeRanges(const std::string& text) {
             ranges.push_back({value, value});
             continue;
         }
-        ranges.push_back({bound(item.substr(0, colon), -infinity, item), bound(item.substr(colon + 1), infinity, item)});
+        ranges.push_back(
+            {bound(item.substr(0, colon), -infinity, item), bound(item.substr(colon + 1), infinity, item)});
     }
     return ranges;
 }
@@ -49,12 +50,14 @@ std::vector<TimeRange> parseTimeRanges(const std::string& text) {
 std::vector<TimeFolder> selectTimes(const Case& theCase, const Options& options) {
     const TimeFolders all = listTimes(theCase.root());
     for (const auto& folder : all.ignored)
-        std::cerr << "--> PFEM Warning : time folder " << folder.name << " is ignored: " << folder.reason << "\n";
+        std::cerr << "--> PFEM Warning : time folder " << folder.name << " is ignored: " << folder.reason
+                  << "\n";
     std::vector<TimeFolder> times = all.complete;
     if (options.found("time")) {
         const auto ranges = parseTimeRanges(options.get("time"));
         std::erase_if(times, [&](const TimeFolder& time) {
-            return std::none_of(ranges.begin(), ranges.end(), [&](const TimeRange& r) { return r.contains(time.value); });
+            return std::none_of(ranges.begin(), ranges.end(),
+                                [&](const TimeRange& r) { return r.contains(time.value); });
         });
     }
     if (options.found("noZero")) std::erase_if(times, [](const TimeFolder& time) { return time.value == 0; });

@@ -33,23 +33,31 @@ struct ControlDict {
     template <class Visitor>
     void entries(Visitor& v) {
         v("application", application, "-", "the solver's name, for Allrun scripts");
-        v("startFrom", startFrom, "-", "firstTime, startTime or latestTime");
+        v("startFrom", startFrom, "-", "the time folder to begin with",
+          oneOf({"firstTime", "startTime", "latestTime"}));
         v("startTime", startTime, "s", "where a run begins with startFrom startTime");
-        v("stopAt", stopAt, "-", "endTime, writeNow, noWriteNow or nextWrite");
-        v("endTime", endTime, "s", "end of the run");
-        v("deltaT", deltaT, "s", "time step; with adjustTimeStep the first one");
-        v("writeControl", writeControl, "-", "timeStep, runTime, adjustable, adjustableRunTime or none");
-        v("writeInterval", writeInterval, "steps or s", "distance of the written times");
-        v("purgeWrite", purgeWrite, "-", "number of time folders of this run to keep; 0 keeps all");
-        v("writeFormat", writeFormat, "-", "accepted; the state is always binary");
-        v("writePrecision", writePrecision, "digits", "digits in postProcessing");
+        v("stopAt", stopAt, "-", "when to stop; may be changed while the run goes on",
+          oneOf({"endTime", "writeNow", "noWriteNow", "nextWrite"}));
+        v.required("endTime", endTime, "s", "end of the run");
+        v.required("deltaT", deltaT, "s", "time step; with adjustTimeStep the first one", positive);
+        v("writeControl", writeControl, "-",
+          "what writeInterval means; adjustable: steps end exactly on the write times",
+          oneOf(WriteControl::modes()));
+        v("writeInterval", writeInterval, "steps or s", "distance of the written times", positive);
+        v("purgeWrite", purgeWrite, "-", "number of time folders of this run to keep; 0 keeps all",
+          atLeast(0));
+        v("writeFormat", writeFormat, "-", "accepted; the state is always binary",
+          oneOf({"ascii", "binary"}));
+        v("writePrecision", writePrecision, "digits", "digits of tables in postProcessing", between(1, 17));
         v("writeCompression", writeCompression, "-", "accepted; the state is always compressed");
-        v("timeFormat", timeFormat, "-", "general, fixed or scientific");
-        v("timePrecision", timePrecision, "digits", "digits of time names; raised when two names would be equal");
+        v("timeFormat", timeFormat, "-", "how time folders are named",
+          oneOf({"general", "fixed", "scientific"}));
+        v("timePrecision", timePrecision, "digits", "digits of time names; raised when two would be equal",
+          between(1, 17));
         v("runTimeModifiable", runTimeModifiable, "-", "read this file again when it changes during the run");
         v("adjustTimeStep", adjustTimeStep, "-", "choose the time step by maxCo");
-        v("maxCo", maxCo, "-", "Courant number that the step must not exceed");
-        v("maxDeltaT", maxDeltaT, "s", "largest time step");
+        v("maxCo", maxCo, "-", "Courant number that the step must not exceed", positive);
+        v("maxDeltaT", maxDeltaT, "s", "largest time step", positive);
     }
 };
 

@@ -6,7 +6,9 @@ namespace pfem {
 
 namespace {
 volatile sig_atomic_t flag = 0;
-extern "C" void setFlag(int) { flag = 1; }
+extern "C" void setFlag(int) {
+    flag = 1;
+}
 }  // namespace
 
 void catchInterrupts() {
@@ -18,8 +20,12 @@ void catchInterrupts() {
     sigaction(SIGTERM, &action, nullptr);
 }
 
-bool interrupted() { return flag != 0; }
+bool interrupted() {
+    return flag != 0;
+}
 
-void clearInterrupt() { flag = 0; }
+void clearInterrupt() {
+    flag = 0;
+}
 
 }  // namespace pfem

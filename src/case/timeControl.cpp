@@ -14,8 +14,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double growth = 1.2;       // of a step over the one before
-constexpr double sameTime = 1e-6;    // of a step: nearer than this means equal
+constexpr double growth = 1.2;     // of a step over the one before
+constexpr double sameTime = 1e-6;  // of a step: nearer than this means equal
 
 /// The folder that startFrom asks for.
 std::string chooseStart(const Case& theCase, const ControlDict& controls) {
@@ -23,9 +23,11 @@ std::string chooseStart(const Case& theCase, const ControlDict& controls) {
     std::string ignored;
     for (const auto& folder : times.ignored) ignored += "\n    ignored " + folder.name + ": " + folder.reason;
     for (const auto& folder : times.ignored)
-        std::cerr << "--> PFEM Warning : time folder " << folder.name << " is ignored: " << folder.reason << "\n";
+        std::cerr << "--> PFEM Warning : time folder " << folder.name << " is ignored: " << folder.reason
+                  << "\n";
     if (times.complete.empty())
-        throw UserError("no time folder in case \"" + theCase.root().string() + "\": run pfemMesh first" + ignored);
+        throw UserError("no time folder in case \"" + theCase.root().string() + "\": run pfemMesh first" +
+                        ignored);
     if (controls.startFrom == "firstTime") return times.complete.front().name;
     if (controls.startFrom == "latestTime") return times.complete.back().name;
     std::string known;
@@ -34,8 +36,9 @@ std::string chooseStart(const Case& theCase, const ControlDict& controls) {
             return folder.name;
         known += " " + folder.name;
     }
-    throw UserError("no time folder for startTime " + timeName(controls.startTime) + "; there are:" + known + ignored,
-                    {theCase.controlDict().string(), 0});
+    throw UserError(
+        "no time folder for startTime " + timeName(controls.startTime) + "; there are:" + known + ignored,
+        {theCase.controlDict().string(), 0});
 }
 
 fs::file_time_type modificationTime(const fs::path& file) {
@@ -54,17 +57,23 @@ TimeControl::TimeControl(const Case& theCase)
       write_(writeControlOf(controls_)),
       timePrecision_(controls_.timePrecision),
       startName_(chooseStart(theCase, controls_)) {
+    catchInterrupts();
     stop_ = controls_.stopAt == "writeNow" || controls_.stopAt == "noWriteNow";
-    if (stop_) std::cerr << "--> PFEM Warning : nothing to do: 'stopAt " << controls_.stopAt << "' in " << file_.string() << "\n";
+    if (stop_)
+        std::cerr << "--> PFEM Warning : nothing to do: 'stopAt " << controls_.stopAt << "' in "
+                  << file_.string() << "\n";
 }
 
 /// Steps may be shortened to end on a wanted time.
-bool TimeControl::fitted() const { return controls_.adjustTimeStep || write_.adjustable(); }
+bool TimeControl::fitted() const {
+    return controls_.adjustTimeStep || write_.adjustable();
+}
 
 /// The next time that a step must not jump over.
 double TimeControl::target(const TimeInfo& time) const {
     if (!fitted()) return std::numeric_limits<double>::infinity();
-    const double end = time.value < controls_.endTime ? controls_.endTime : std::numeric_limits<double>::infinity();
+    const double end =
+        time.value < controls_.endTime ? controls_.endTime : std::numeric_limits<double>::infinity();
     return write_.adjustable() ? std::min(write_.next(time), end) : end;
 }
 
@@ -73,7 +82,9 @@ bool TimeControl::ended(const TimeInfo& time) const {
     return time.value >= controls_.endTime - (fitted() ? sameTime : 0.5) * step;
 }
 
-bool TimeControl::running(const TimeInfo& time) const { return !stop_ && !ended(time); }
+bool TimeControl::running(const TimeInfo& time) const {
+    return !stop_ && !ended(time);
+}
 
 double TimeControl::deltaT(const TimeInfo& time, double courantRate) const {
     const bool first = time.index == 0 || !(time.deltaT > 0);
@@ -102,10 +113,11 @@ TimeInfo TimeControl::advance(const TimeInfo& time, double dt) {
     next.index = time.index + 1;
     next.deltaT = dt;
     next.deltaT0 = dt;
-    const int precision = precisionToDistinguish(time.value, next.value, controls_.timeFormat, timePrecision_);
+    const int precision =
+        precisionToDistinguish(time.value, next.value, controls_.timeFormat, timePrecision_);
     if (precision != timePrecision_)
-        std::cerr << "--> PFEM Warning : Increased the timePrecision from " << timePrecision_ << " to " << precision
-                  << " to distinguish between timeNames at time " << name(next) << "\n";
+        std::cerr << "--> PFEM Warning : Increased the timePrecision from " << timePrecision_ << " to "
+                  << precision << " to distinguish between timeNames at time " << name(next) << "\n";
     timePrecision_ = precision;
     return next;
 }
@@ -136,8 +148,8 @@ void TimeControl::readAgainIfChanged() {
         dict_ = std::move(dict);
         std::cout << "Re-reading " << file_.string() << "\n";
     } catch (const UserError& error) {  // perhaps just being edited: a running job must not die of it
-        std::cerr << "--> PFEM Warning : " << file_.string() << " was changed but cannot be used, the old settings stay: "
-                  << error.what() << "\n";
+        std::cerr << "--> PFEM Warning : " << file_.string()
+                  << " was changed but cannot be used, the old settings stay: " << error.what() << "\n";
     }
 }
 

@@ -17,7 +17,8 @@ namespace pfem {
 /// a time folder takes the same steps as one that never stopped.
 class TimeControl {
 public:
-    /// Read system/controlDict and choose the folder to start from. Throws UserError when there is none.
+    /// Read system/controlDict and choose the folder to start from; from now on SIGINT and SIGTERM write the
+    /// state and stop. Throws UserError when there is no time folder.
     explicit TimeControl(const Case& theCase);
 
     const ControlDict& controls() const { return controls_; }
@@ -30,16 +31,17 @@ public:
     /// Is there another step to do after `time`?
     bool running(const TimeInfo& time) const;
 
-    /// Length of the step that comes after `time` [s]: by deltaT, maxCo, maxDeltaT, at most 1.2 times the last
-    /// one, and fitted so that the next write falls exactly on k*writeInterval.
-    /// `courantRate`: the largest |v|/h of the mesh [1/s]; 0 when it does not matter.
+    /// Length of the step that comes after `time` [s]: by deltaT, maxCo, maxDeltaT, at most 1.2 times the
+    /// last one, and fitted so that the next write falls exactly on k*writeInterval. `courantRate`: the
+    /// largest |v|/h of the mesh [1/s]; 0 when it does not matter.
     double deltaT(const TimeInfo& time, double courantRate = 0) const;
 
-    /// The time after a step of length dt from `time`: rounded to the write time, the end time or a multiple of
-    /// deltaT when it means one of them. Raises timePrecision when names would coincide.
+    /// The time after a step of length dt from `time`: rounded to the write time, the end time or a multiple
+    /// of deltaT when it means one of them. Raises timePrecision when names would coincide.
     TimeInfo advance(const TimeInfo& time, double dt);
 
-    /// Is the state to be written at `time`? Also looks at signals and at a changed controlDict: ask once a step.
+    /// Is the state to be written at `time`? Also looks at signals and at a changed controlDict: ask once a
+    /// step.
     bool writeDue(const TimeInfo& time);
 
     /// The name of `time` ("0.05") and its folder.

@@ -63,7 +63,8 @@ std::string timeName(double value, const std::string& format, int precision) {
 }
 
 int precisionToDistinguish(double a, double b, const std::string& format, int precision) {
-    while (precision < 17 && a != b && timeName(a, format, precision) == timeName(b, format, precision)) ++precision;
+    while (precision < 17 && a != b && timeName(a, format, precision) == timeName(b, format, precision))
+        ++precision;
     return precision;
 }
 

@@ -12,7 +12,8 @@ constexpr double rounding = 1e-9;  // of an interval: times closer than this are
 }
 
 const std::vector<std::string>& WriteControl::modes() {
-    static const std::vector<std::string> words{"timeStep", "runTime", "adjustable", "adjustableRunTime", "none"};
+    static const std::vector<std::string> words{"timeStep", "runTime", "adjustable", "adjustableRunTime",
+                                                "none"};
     return words;
 }
 

@@ -6,57 +6,119 @@ namespace pfem {
 
 namespace {
 
-/// Lower pattern: pressure graph, then interface coupling, then the solid block.
+/// Numbering of the coupled matrix: pressures, solid velocities, velocities of free-surface nodes.
+struct Unknowns {
+    std::vector<int> pressure;  // per node: its pressure unknown or -1
+    std::vector<int> surface;   // per node: first velocity unknown of a moving free-surface node or -1
+    int nPressure = 0;
+    int nSolid = 0;
+    int n = 0;
+};
+
 template <int Dim>
-SymmetricMatrix coupledPattern(const Cells<Dim>& cells, const Topology<Dim>& topology,
-                               const std::vector<int>& unknown, int nPressure, const SolidDofs<Dim>& dofs,
-                               const SymmetricMatrix& solid, const NodeToNodes& ring) {
-    std::vector<std::vector<int>> lower(static_cast<std::size_t>(nPressure) + solid.n);
+Unknowns numberUnknowns(const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints, bool strong,
+                        int nSolid) {
+    Unknowns u;
+    u.pressure.assign(topology.nNodes(), -1);
+    u.surface.assign(topology.nNodes(), -1);
+    u.nSolid = nSolid;
+    for (int i = 0; i < topology.nNodes(); ++i)
+        if (topology.wet(i) && !(strong && topology.freeSurface[i])) u.pressure[i] = u.nPressure++;
+    u.n = u.nPressure + nSolid;
+    if (strong) return u;
     for (int i = 0; i < topology.nNodes(); ++i) {
-        if (unknown[i] < 0) continue;
-        auto& rows = lower[unknown[i]];
-        const auto addSolid = [&](int node) {
-            for (int c = 0; c < dofs.count[node]; ++c) rows.push_back(nPressure + dofs.first[node] + c);
+        const bool moves = constraints.hold[i] == Hold::free || constraints.hold[i] == Hold::slide;
+        if (!topology.freeSurface[i] || topology.onSolid[i] || !moves) continue;
+        u.surface[i] = u.n;
+        u.n += Dim;
+    }
+    return u;
+}
+
+/// Visit the velocity unknowns of a node: visit(unknown, direction).
+template <int Dim, class Visitor>
+void forVelocities(const Unknowns& u, const SolidDofs<Dim>& solid, int node, Visitor&& visit) {
+    if (solid.local[node] >= 0)
+        for (int c = 0; c < solid.count[node]; ++c)
+            visit(u.nPressure + solid.first[node] + c, Vec<Dim>(solid.basis[solid.local[node]].col(c)));
+    else if (u.surface[node] >= 0)
+        for (int c = 0; c < Dim; ++c) visit(u.surface[node] + c, Vec<Dim>(Vec<Dim>::Unit(c)));
+}
+
+template <int Dim>
+SymmetricMatrix coupledPattern(const Cells<Dim>& cells, const Topology<Dim>& topology, const Unknowns& u,
+                               const SolidDofs<Dim>& dofs, const SymmetricMatrix& solid) {
+    const NodeToNodes ring = nodeToNodes<Dim>(cells.nodes, topology.fluid);
+    std::vector<std::vector<int>> lower(u.n);
+    for (int i = 0; i < topology.nNodes(); ++i) {
+        if (u.pressure[i] < 0) continue;
+        auto& rows = lower[u.pressure[i]];
+        const auto addVelocities = [&](int node) {
+            forVelocities<Dim>(u, dofs, node, [&](int unknown, const Vec<Dim>&) { rows.push_back(unknown); });
         };
-        addSolid(i);
+        addVelocities(i);
         for (int s = ring.start[i]; s < ring.start[i + 1]; ++s) {
-            if (unknown[ring.node[s]] > unknown[i]) rows.push_back(unknown[ring.node[s]]);
-            addSolid(ring.node[s]);
+            if (u.pressure[ring.node[s]] > u.pressure[i]) rows.push_back(u.pressure[ring.node[s]]);
+            addVelocities(ring.node[s]);
         }
         std::sort(rows.begin(), rows.end());
     }
     for (int j = 0; j < solid.n; ++j)
         for (int s = solid.start[j] + 1; s < solid.start[j + 1]; ++s)
-            lower[nPressure + j].push_back(nPressure + solid.row[s]);
-    (void)cells;
+            lower[u.nPressure + j].push_back(u.nPressure + solid.row[s]);
     return symmetricPattern(lower);
 }
 
-/// Free-surface diagonal: the larger of scale * tau M_G and 2 |g_J|^2/(m rho Omega_J), g_J = sum_e |e| grad N_J.
+/// K_p without its face terms, and B.
+template <int Dim>
+void addCells(SymmetricMatrix& A, const Problem<Dim>& problem, const ContinuityControls& controls,
+              const Cells<Dim>& cells, const Patches<Dim>& patches, const std::vector<double>& tau, const Unknowns& u,
+              const SolidDofs<Dim>& dofs, const NodeConstraints<Dim>& constraints, const Newmark& newmark) {
+    for (int e = 0; e < cells.size(); ++e) {
+        const Newtonian& fluid = problem.fluid(cells.material[e]);
+        const auto& g = patches.element[e];
+        const double laplacian = tau[e] + controls.schurScale / (fluid.rho * newmark.massFactor());
+        const double share = g.measure / (Dim + 1);
+        for (int k = 0; k <= Dim; ++k) {
+            const int i = u.pressure[cells.nodes[e][k]];
+            if (i < 0) continue;
+            A.add(i, i, share / (fluid.kappa * newmark.dt));
+            for (int l = 0; l <= Dim; ++l) {
+                const int node = cells.nodes[e][l];
+                const int j = u.pressure[node];
+                if (j >= i) A.add(i, j, laplacian * g.measure * g.gradN[k].dot(g.gradN[l]));
+                const Vec<Dim> B = share * constraints.project(node, g.gradN[l]);
+                forVelocities<Dim>(u, dofs, node, [&](int unknown, const Vec<Dim>& direction) {
+                    A.add(i, unknown, B.dot(direction));
+                });
+            }
+        }
+    }
+}
+
 template <int Dim>
 void addFreeSurface(SymmetricMatrix& A, const Problem<Dim>& problem, const ContinuityControls& controls,
                     const Cells<Dim>& cells, const Topology<Dim>& topology, const Patches<Dim>& patches,
-                    const std::vector<double>& tau, const Points<Dim>& x, const std::vector<int>& unknown,
+                    const std::vector<double>& tau, const Points<Dim>& x, const Unknowns& u,
                     const Newmark& newmark) {
-    std::vector<double> weak(x.size(), 0.0);
     for (const auto& face : topology.faces) {
         if (face.kind != FaceKind::freeSurface) continue;
         const double measure = faceArea<Dim>(x, face.nodes).norm();
         const double twoOverH = 2 * measure / (Dim * patches.element[face.cell].measure);
         for (int node : face.nodes)
-            weak[node] += controls.freeSurfaceScale * tau[face.cell] * twoOverH * measure / Dim;
+            if (u.pressure[node] >= 0)
+                A.add(u.pressure[node], u.pressure[node],
+                      controls.freeSurfaceWeight * tau[face.cell] * twoOverH * measure / Dim);
     }
+    const double scale = 1 / std::max(controls.freeSurfaceScale, 1e-12);
     for (int i = 0; i < topology.nNodes(); ++i) {
-        if (unknown[i] < 0 || !topology.freeSurface[i]) continue;
-        Vec<Dim> g = Vec<Dim>::Zero();
+        if (u.surface[i] < 0) continue;
         double mass = 0;
         for (int s = topology.fluid.start[i]; s < topology.fluid.start[i + 1]; ++s) {
             const int e = topology.fluid.cell[s];
-            g += patches.element[e].measure * patches.element[e].gradN[topology.fluid.corner[s]];
             mass += problem.fluid(cells.material[e]).rho * patches.element[e].measure / (Dim + 1);
         }
-        const double schur = 2 * controls.schurScale * g.squaredNorm() / (newmark.massFactor() * mass);
-        A.add(unknown[i], unknown[i], std::max(weak[i], schur));
+        for (int c = 0; c < Dim; ++c) A.add(u.surface[i] + c, u.surface[i] + c, -scale * newmark.massFactor() * mass);
     }
 }
 
@@ -65,47 +127,24 @@ void addFreeSurface(SymmetricMatrix& A, const Problem<Dim>& problem, const Conti
 template <int Dim>
 ContinuitySystem<Dim>::ContinuitySystem(const Problem<Dim>& problem, const ContinuityControls& controls,
                                         const Cells<Dim>& cells, const Topology<Dim>& topology,
-                                        const Patches<Dim>& patches, const std::vector<double>& tau,
-                                        const Points<Dim>& x, const SolidDofs<Dim>& dofs,
-                                        const SymmetricMatrix& solid, const Newmark& newmark) {
+                                        const NodeConstraints<Dim>& constraints, const Patches<Dim>& patches,
+                                        const std::vector<double>& tau, const Points<Dim>& x,
+                                        const SolidDofs<Dim>& dofs, const SymmetricMatrix& solid,
+                                        const Newmark& newmark) {
     const bool strong = controls.freeSurfacePressure == "strong";
-    unknown_.assign(topology.nNodes(), -1);
-    for (int i = 0; i < topology.nNodes(); ++i)
-        if (topology.wet(i) && !(strong && topology.freeSurface[i])) unknown_[i] = nPressure_++;
-    n_ = nPressure_ + solid.n;
+    const Unknowns u = numberUnknowns<Dim>(topology, constraints, strong, solid.n);
+    unknown_ = u.pressure;
+    n_ = u.n;
     if (n_ == 0) return;
 
-    const NodeToNodes ring = nodeToNodes<Dim>(cells.nodes, topology.fluid);
-    SymmetricMatrix A = coupledPattern<Dim>(cells, topology, unknown_, nPressure_, dofs, solid, ring);
-    for (int e = 0; e < cells.size(); ++e) {
-        const Newtonian& fluid = problem.fluid(cells.material[e]);
-        const auto& g = patches.element[e];
-        const double laplacian = tau[e] + controls.schurScale / (fluid.rho * newmark.massFactor());
-        const double compressibility = g.measure / (Dim + 1) / (fluid.kappa * newmark.dt);
-        for (int k = 0; k <= Dim; ++k) {
-            const int i = unknown_[cells.nodes[e][k]];
-            if (i < 0) continue;
-            A.add(i, i, compressibility);
-            for (int l = 0; l <= Dim; ++l) {
-                const int node = cells.nodes[e][l];
-                const int j = unknown_[node];
-                if (j >= i) A.add(i, j, laplacian * g.measure * g.gradN[k].dot(g.gradN[l]));
-                const int local = dofs.local[node];
-                if (local < 0) continue;
-                const Vec<Dim> B = g.measure / (Dim + 1) * g.gradN[l];
-                for (int c = 0; c < dofs.count[node]; ++c)
-                    A.add(i, nPressure_ + dofs.first[node] + c, B.dot(dofs.basis[local].col(c)));
-            }
-        }
-    }
-    if (!strong)
-        addFreeSurface<Dim>(A, problem, controls, cells, topology, patches, tau, x, unknown_, newmark);
-
+    SymmetricMatrix A = coupledPattern<Dim>(cells, topology, u, dofs, solid);
+    addCells<Dim>(A, problem, controls, cells, patches, tau, u, dofs, constraints, newmark);
+    if (!strong) addFreeSurface<Dim>(A, problem, controls, cells, topology, patches, tau, x, u, newmark);
     // without compliance the solid block stays, decoupled: divide by a tiny number instead of zero
     const double scale = 1 / std::max(controls.complianceScale, 1e-12);
     for (int j = 0; j < solid.n; ++j)
         for (int s = solid.start[j]; s < solid.start[j + 1]; ++s)
-            A.add(nPressure_ + j, nPressure_ + solid.row[s], -scale * solid.value[s]);
+            A.add(u.nPressure + j, u.nPressure + solid.row[s], -scale * solid.value[s]);
 
     factor_.analyze(A);
     factor_.factorize(A);

@@ -9,20 +9,24 @@
 
 namespace pfem {
 
-/// One sparse L D L^T per step of the quasi-definite matrix, in (dp, dv_solid),
+/// One sparse L D L^T per step of the quasi-definite matrix, in (dp, dv_boundary),
 ///
-///     [ K_p   B     ]    K_p = Omega/(kappa dt) + (tau + 1/(rho m)) L + free-surface diagonal
-///     [ B^T  -A_s/c ]    B_IJ = Omega_I G_IJ between fluid patches and interface velocities
+///     [ K_p   B    ]    K_p = Omega/(kappa dt) + (tau + 1/(rho m)) L + tau M_G
+///     [ B^T  -A/c  ]    B_IJ = Omega_I G_IJ between pressures and boundary velocities
 ///
-/// with m = da/dv of the time integration. Eliminating dv_solid adds c B A_s^{-1} B^T: what the elastic interface
-/// yields under pressure. It shapes the path of the iteration, never the converged step.
+/// with m = da/dv of the time integration. Inside the fluid 1/(rho m) L bounds the exact Schur complement
+/// B (m M)^{-1} B^T of the nodal integration from above, whatever the mesh; on its moving boundary it does not.
+/// There the velocities are unknowns of the matrix: A is the momentum matrix of the solids at elastic interfaces
+/// and the lumped mass at the free surface. Eliminating them adds c B A^{-1} B^T: what the boundary yields under
+/// pressure. c > 1 covers the accelerations in the stabilisation's face terms. All of it shapes the path of the
+/// iteration, never the converged step.
 template <int Dim>
 class ContinuitySystem {
 public:
     ContinuitySystem(const Problem<Dim>& problem, const ContinuityControls& controls, const Cells<Dim>& cells,
-                     const Topology<Dim>& topology, const Patches<Dim>& patches,
-                     const std::vector<double>& tau, const Points<Dim>& x, const SolidDofs<Dim>& solidDofs,
-                     const SymmetricMatrix& solidMatrix, const Newmark& newmark);
+                     const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,
+                     const Patches<Dim>& patches, const std::vector<double>& tau, const Points<Dim>& x,
+                     const SolidDofs<Dim>& solidDofs, const SymmetricMatrix& solidMatrix, const Newmark& newmark);
 
     /// dp of all nodes for the right-hand side -R_c; zero outside the fluid.
     std::vector<double> solve(const std::vector<double>& residual) const;
@@ -30,7 +34,6 @@ public:
     bool hasUnknown(int node) const { return unknown_[node] >= 0; }
 
 private:
-    int nPressure_ = 0;
     int n_ = 0;
     std::vector<int> unknown_;  // per node: its pressure unknown or -1
     Ldlt factor_;

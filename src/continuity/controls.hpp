@@ -12,7 +12,9 @@ struct ContinuityControls {
     double schurScale = 1;
     double complianceScale = 2;
     double freeSurfaceScale = 4;
+    double freeSurfaceWeight = 1;
     std::string freeSurfacePressure = "weak";
+    std::string stabilisation = "bodyForce";
     bool interfaceAcceleration = true;
     double volumeCorrectionTime = 0.05;
 
@@ -21,9 +23,14 @@ struct ContinuityControls {
         v("schurScale", schurScale, "-", "factor of the Schur term dt/(2 rho) L in the pressure matrix", nonNegative);
         v("complianceScale", complianceScale, "-",
           "factor of the elastic interface's compliance B A_s^-1 B^T in the pressure matrix", nonNegative);
-        v("freeSurfaceScale", freeSurfaceScale, "-", "factor of tau M_G in the pressure matrix", positive);
+        v("freeSurfaceScale", freeSurfaceScale, "-",
+          "factor of the free surface's compliance B m^-1 B^T in the pressure matrix", nonNegative);
+        v("freeSurfaceWeight", freeSurfaceWeight, "-", "factor of tau M_G in the pressure matrix", positive);
         v("freeSurfacePressure", freeSurfacePressure, "-", "how p = 0 is imposed at the free surface",
           oneOf({"weak", "strong"}));
+        v("stabilisation", stabilisation, "-",
+          "bodyForce: grad p - rho g with accelerations on faces; inertia: the full residual grad p - rho (g - a)",
+          oneOf({"bodyForce", "inertia"}));
         v("interfaceAcceleration", interfaceAcceleration, "-",
           "moving solids and walls enter the stabilisation with their normal acceleration", any);
         v("volumeCorrectionTime", volumeCorrectionTime, "s",

@@ -14,7 +14,7 @@ struct CellTerms {
 
 template <int Dim>
 CellTerms<Dim> cellTerms(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
-                         const std::vector<double>& tau, const Points<Dim>& v, const std::vector<double>& p,
+                         const std::vector<double>& tau, const Nodes<Dim>& trial, bool inertia,
                          double divTarget) {
     CellTerms<Dim> t;
     t.rate.resize(cells.nodes.size());
@@ -25,15 +25,18 @@ CellTerms<Dim> cellTerms(const Problem<Dim>& problem, const Cells<Dim>& cells, c
         const auto& g = patches.element[e];
         double div = 0;
         Vec<Dim> gradP = Vec<Dim>::Zero();
+        Vec<Dim> force = problem.gravity;
         for (int k = 0; k <= Dim; ++k) {
-            div += v[cells.nodes[e][k]].dot(g.gradN[k]);
-            gradP += p[cells.nodes[e][k]] * g.gradN[k];
+            const int node = cells.nodes[e][k];
+            div += trial.v[node].dot(g.gradN[k]);
+            gradP += trial.p[node] * g.gradN[k];
+            if (inertia) force -= trial.a[node] / (Dim + 1);
         }
         const Newtonian& fluid = problem.fluid(cells.material[e]);
         const double share = g.measure / (Dim + 1);
         t.rate[e] = share * (div - divTarget);
         t.compressibility[e] = share / fluid.kappa;
-        t.flux[e] = tau[e] * g.measure * (gradP - fluid.rho * problem.gravity);
+        t.flux[e] = tau[e] * g.measure * (gradP - fluid.rho * force);
     }
     return t;
 }
@@ -46,7 +49,8 @@ std::vector<double> continuityResidual(const Problem<Dim>& problem, const Contin
                                        const Patches<Dim>& patches, const std::vector<double>& tau,
                                        const Nodes<Dim>& trial, const std::vector<double>& pOld, double dt,
                                        double divTarget) {
-    const auto terms = cellTerms<Dim>(problem, cells, patches, tau, trial.v, trial.p, divTarget);
+    const bool inertia = controls.stabilisation == "inertia";
+    const auto terms = cellTerms<Dim>(problem, cells, patches, tau, trial, inertia, divTarget);
     const NodeToCells& around = topology.fluid;
     std::vector<double> R(trial.size(), 0.0);
 #pragma omp parallel for schedule(static)
@@ -70,7 +74,8 @@ std::vector<double> continuityResidual(const Problem<Dim>& problem, const Contin
         if (measure == 0) continue;
         const Vec<Dim> n = area / measure;
         const double weight = tau[face.cell] * measure / Dim;
-        for (int node : face.nodes) R[node] += weight * fluid.rho * trial.a[node].dot(n);
+        if (!inertia)
+            for (int node : face.nodes) R[node] += weight * fluid.rho * trial.a[node].dot(n);
         if (face.kind == FaceKind::interface) continue;
 
         const double twoOverH = 2 * measure / (Dim * g.measure);

@@ -13,16 +13,19 @@ namespace pfem {
 
 namespace {
 
-const std::vector<std::string> directives = {
-    "include",   "includeIfPresent", "sinclude", "sinclude", "includeEtc", "sincludeEtc", "includeFunc",
-    "inputMode", "remove",           "eval",     "calc",     "if",         "ifeq",        "else",
-    "endif"};
+const std::vector<std::string> directives = {"include",     "includeIfPresent",
+                                             "sinclude",    "includeEtc",
+                                             "sincludeEtc", "includeFunc",
+                                             "inputMode",   "remove",
+                                             "eval",        "calc",
+                                             "if",          "ifeq",
+                                             "else",        "endif"};
 
 bool silent(const std::string& name) {
     return name == "includeIfPresent" || name.starts_with("sinclude");
 }
 bool isInclude(const std::string& name) {
-    return name == "include" || name == "includeEtc" || name == "includeFunc" || silent(name);
+    return name == "include" || name == "includeEtc" || silent(name);
 }
 
 [[noreturn]] void unknown(const Token& token) {
@@ -36,7 +39,9 @@ bool isInclude(const std::string& name) {
 }  // namespace
 
 void Parser::directive(Lexer& lexer, const NodePtr& node, const Token& token) {
-    if (isInclude(token.text)) {
+    if (token.text == "includeFunc") {
+        includeFunction(lexer, node, token);
+    } else if (isInclude(token.text)) {
         include(lexer, node, token);
     } else if (token.text == "remove") {
         removeKeys(lexer, node, token);
@@ -56,8 +61,7 @@ void Parser::valueDirective(Lexer& lexer, const NodePtr& scope, const Token& tok
     } else if (isInclude(token.text)) {
         const fs::path file = includedFile(lexer, scope, token);
         if (file.empty()) return;
-        Lexer inner(fileText(file, token.where()), std::make_shared<const std::string>(file.string()));
-        open_.push_back(fs::weakly_canonical(file));
+        Lexer inner = openFile(file, token);
         value(inner, scope, key, out, true);
         open_.pop_back();
     } else {
@@ -73,7 +77,7 @@ void Parser::evaluate(Lexer& lexer, const NodePtr& scope, const Token& token, To
     } else if (!argument.isString() && argument.kind != Token::Kind::verbatim) {
         throw UserError("#" + token.text + " needs \"expression\" or { expression }", token.where());
     }
-    const std::string result = evaluateToText(expandString(text, *scope, true), token.where());
+    const std::string result = evaluateToText(expandString(text, *scope, token.where(), true), token.where());
     Lexer tokens(result, token.file, token.line);
     for (Token t = tokens.next(); !t.isEnd(); t = tokens.next()) {
         t.firstOnLine = false;
@@ -83,22 +87,10 @@ void Parser::evaluate(Lexer& lexer, const NodePtr& scope, const Token& token, To
 
 /// The file a directive names; empty if it is absent and need not be there.
 fs::path Parser::includedFile(Lexer& lexer, const NodePtr& scope, const Token& token) {
-    std::string text;
-    const Token argument = lexer.next();
-    if (argument.isString()) {
-        text = argument.text;
-    } else {
-        lexer.putBack(argument);
-        text = lexer.restOfLine();
-        while (text.ends_with(';') || text.ends_with(' ')) text.pop_back();
-    }
+    const std::string text = lexer.lineArgument();
     if (text.empty()) throw UserError("#" + token.text + " needs a file name", token.where());
-    const std::string name = expandString(text, *scope);
+    const std::string name = expandString(text, *scope, token.where());
 
-    if (token.text == "includeFunc") {
-        const std::string function = name.substr(0, name.find('('));
-        return findEtc(fs::path("caseDicts/postProcessing") / function).value_or(fs::path());
-    }
     fs::path file = expandTags(name);
     std::error_code error;
     if (token.text.ends_with("Etc")) {
@@ -113,22 +105,30 @@ fs::path Parser::includedFile(Lexer& lexer, const NodePtr& scope, const Token& t
         if (file.is_relative()) file = (fs::path(*token.file).parent_path() / file).lexically_normal();
         if (silent(token.text) && !fs::exists(file, error)) file.clear();
     }
-    if (file.empty()) return file;
+    return file;
+}
+
+/// The text of a file, noted as open: cycles end here. The caller closes it with open_.pop_back().
+Lexer Parser::openFile(const fs::path& file, const Token& token) {
+    std::error_code error;
     const fs::path same = fs::weakly_canonical(file, error);
     if (std::find(open_.begin(), open_.end(), same) != open_.end()) {
         throw UserError("File \"" + file.string() + "\" includes itself", token.where());
     }
     if (open_.size() > 50) throw UserError("Files include each other too deeply", token.where());
-    return file;
+    open_.push_back(same);
+    return Lexer(fileText(file, token.where()), std::make_shared<const std::string>(file.string()));
+}
+
+void Parser::includeFile(const fs::path& file, const NodePtr& node, const Token& token) {
+    Lexer inner = openFile(file, token);
+    entries(inner, node, {});
+    open_.pop_back();
 }
 
 void Parser::include(Lexer& lexer, const NodePtr& node, const Token& token) {
     const fs::path file = includedFile(lexer, node, token);
-    if (file.empty()) return;
-    Lexer inner(fileText(file, token.where()), std::make_shared<const std::string>(file.string()));
-    open_.push_back(fs::weakly_canonical(file));
-    entries(inner, node, {});
-    open_.pop_back();
+    if (!file.empty()) includeFile(file, node, token);
 }
 
 /// #remove key   #remove (a "b.*")

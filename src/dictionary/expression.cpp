@@ -19,6 +19,9 @@ double degToRad(double x) {
 double radToDeg(double x) {
     return x * 180 / std::numbers::pi;
 }
+double asBool(double x) {
+    return x != 0;
+}
 double sqr(double x) {
     return x * x;
 }
@@ -80,6 +83,7 @@ void defineFunctions(mu::Parser& parser) {
     parser.DefineConst("false", 0);
     parser.DefineFun("degToRad", degToRad);
     parser.DefineFun("radToDeg", radToDeg);
+    parser.DefineFun("bool", asBool);
     parser.DefineFun("sqr", sqr);
     parser.DefineFun("magSqr", magSqr);
     parser.DefineFun("mag", mag);

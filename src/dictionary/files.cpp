@@ -1,5 +1,6 @@
 #include "dictionary/files.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -33,6 +34,14 @@ std::vector<fs::path> installedEtc() {
     return folders;
 }
 
+std::vector<fs::path> etcFolders() {
+    std::vector<fs::path> folders;
+    if (const auto etc = environment("PFEM_ETC"); !etc.empty()) folders.emplace_back(etc);
+    if (const auto home = environment("HOME"); !home.empty()) folders.push_back(fs::path(home) / ".pfem");
+    for (auto& folder : installedEtc()) folders.push_back(std::move(folder));
+    return folders;
+}
+
 }  // namespace
 
 std::string fileText(const fs::path& file, const Location& where) {
@@ -51,13 +60,24 @@ std::string fileText(const fs::path& file, const Location& where) {
 }
 
 std::optional<fs::path> findEtc(const fs::path& name) {
-    std::vector<fs::path> folders;
-    if (const auto etc = environment("PFEM_ETC"); !etc.empty()) folders.emplace_back(etc);
-    if (const auto home = environment("HOME"); !home.empty()) folders.push_back(fs::path(home) / ".pfem");
-    for (auto& folder : installedEtc()) folders.push_back(std::move(folder));
-    for (const auto& folder : folders) {
+    for (const auto& folder : etcFolders()) {
         std::error_code error;
         if (fs::is_regular_file(folder / name, error)) return folder / name;
+    }
+    return std::nullopt;
+}
+
+std::optional<fs::path> findFunction(const std::string& name) {
+    for (const auto& folder : etcFolders()) {
+        std::error_code error;
+        std::vector<fs::path> matching;
+        for (const auto& file :
+             fs::recursive_directory_iterator(folder / "caseDicts/postProcessing", error)) {
+            if (file.path().filename() == name && file.is_regular_file(error))
+                matching.push_back(file.path());
+        }
+        // The order of a folder's files is arbitrary
+        if (!matching.empty()) return *std::min_element(matching.begin(), matching.end());
     }
     return std::nullopt;
 }

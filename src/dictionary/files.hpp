@@ -15,6 +15,9 @@ std::string fileText(const std::filesystem::path& file, const Location& where);
 /// In $PFEM_ETC, ~/.pfem, the etc folder of the installation; the first that has the file.
 std::optional<std::filesystem::path> findEtc(const std::filesystem::path& name);
 
+/// A function object's file below caseDicts/postProcessing of those folders.
+std::optional<std::filesystem::path> findFunction(const std::string& name);
+
 /// <etc>, <case>, <constant>, <system> at the start, and ~ .
 std::filesystem::path expandTags(const std::string& name);
 

@@ -82,7 +82,7 @@ Token Lexer::next() {
             get();
             token.kind = Token::Kind::directive;
             token.text = word();
-        } else if (c == '$' && (second == '{' || isWordCharacter(second))) {
+        } else if (c == '$' && (second == '{' || second == '/' || isWordCharacter(second))) {
             token = variable();
         } else if (std::strchr(";(){}[],:=*/'", c) || ((c == '-' || c == '+') && !isWordCharacter(second)) ||
                    (c == '-' && second == '$')) {
@@ -167,8 +167,8 @@ Token Lexer::variable() {
         token.text = untilClosingBrace();
         return token;
     }
-    // Paths with slashes only where they cannot be meant otherwise: $../x and $!a/b
-    const bool path = text_.compare(position_, 3, "../") == 0 || peek() == '!';
+    // Paths with slashes only where they cannot be meant otherwise: $../x, $!a/b and $/a/b
+    const bool path = text_.compare(position_, 3, "../") == 0 || peek() == '!' || peek() == '/';
     int parentheses = 0;
     while (!atEnd() && (isWordCharacter(peek()) || (path && peek() == '/')) && peek() != '[') {
         const char c = peek();
@@ -178,6 +178,7 @@ Token Lexer::variable() {
         token.text += get();
     }
     if (parentheses > 0) fail("Variable $" + token.text + " has '(' without ')'", start);
+    if (token.text.empty()) fail("'$' without a name", start);
     return token;
 }
 
@@ -193,12 +194,16 @@ std::string Lexer::untilClosingBrace() {
     fail("'{' without its closing '}'", start);
 }
 
+std::string Lexer::lineArgument() {
+    while (peek() == ' ' || peek() == '\t') get();
+    if (peek() == '"') return string().text;
+    std::string text = restOfLine();
+    while (text.ends_with(';') || text.ends_with(' ')) text.pop_back();
+    return text;
+}
+
 std::string Lexer::restOfLine() {
     std::string text;
-    if (putBack_) {
-        text = spelling(*putBack_) + ' ';
-        putBack_.reset();
-    }
     while (!atEnd() && peek() != '\n' && !(peek() == '/' && (peek(1) == '/' || peek(1) == '*')))
         text += get();
     const auto first = text.find_first_not_of(" \t\r");

@@ -18,6 +18,8 @@ public:
 
     /// The text up to the matching '}' ; the '{' has been read. For #eval{ ... }.
     std::string untilClosingBrace();
+    /// A string, or what is left of this line: the argument of #include and #includeFunc.
+    std::string lineArgument();
     /// What is left of this line without comments and white space around it. For #include etc.
     std::string restOfLine();
 

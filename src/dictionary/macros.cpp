@@ -8,16 +8,19 @@ namespace pfem {
 
 namespace {
 
+constexpr std::size_t maxExpansion = 100'000;
+
 /// "a.b.c" in this dictionary only. Keys may contain dots themselves (alpha.water): the whole name first,
 /// then every way to cut it.
-const DictionaryEntry* findScoped(DictionaryNode& node, const std::string& name, int depth = 0) {
-    if (const auto* entry = node.find(name)) return entry;
+const DictionaryEntry* findScoped(DictionaryNode& node, const std::string& name, bool patterns,
+                                  int depth = 0) {
+    if (const auto* entry = node.find(name, patterns)) return entry;
     if (depth > 20) return nullptr;
     for (auto dot = name.find('.'); dot != std::string::npos; dot = name.find('.', dot + 1)) {
         if (dot == 0) continue;
-        const auto* outer = node.find(name.substr(0, dot));
+        const auto* outer = node.find(name.substr(0, dot), patterns);
         if (!outer || !outer->dict) continue;
-        if (const auto* inner = findScoped(*outer->dict->node(), name.substr(dot + 1), depth + 1))
+        if (const auto* inner = findScoped(*outer->dict->node(), name.substr(dot + 1), patterns, depth + 1))
             return inner;
     }
     return nullptr;
@@ -30,14 +33,14 @@ DictionaryNode* top(DictionaryNode* node) {
 
 }  // namespace
 
-const DictionaryEntry* findMacro(const DictionaryNode& scope, const std::string& macro) {
+const DictionaryEntry* findMacro(const DictionaryNode& scope, const std::string& macro, bool patterns) {
     auto* node = const_cast<DictionaryNode*>(&scope);  // find() is shared with the reading side
     std::string name = macro;
     bool outwards = true;
-    if (name.starts_with(':') || name.starts_with('^') || name.starts_with('!')) {
+    if (name.starts_with(':') || name.starts_with('^') || name.starts_with('!') || name.starts_with('/')) {
         node = top(node);
         outwards = false;
-        if (name[0] == '!') std::replace(name.begin(), name.end(), '/', '.');
+        if (name[0] == '!' || name[0] == '/') std::replace(name.begin(), name.end(), '/', '.');
         name.erase(0, 1);
     } else if (name.starts_with("../")) {
         outwards = false;
@@ -60,7 +63,7 @@ const DictionaryEntry* findMacro(const DictionaryNode& scope, const std::string&
     }
     if (name.empty()) return nullptr;
     while (true) {
-        if (const auto* entry = findScoped(*node, name)) return entry;
+        if (const auto* entry = findScoped(*node, name, patterns)) return entry;
         auto parent = node->parent.lock();
         if (!outwards || !parent) return nullptr;
         node = parent.get();
@@ -94,8 +97,8 @@ std::string operand(const Tokens& tokens) {
 }
 
 /// The value as text, or nothing.
-std::optional<std::string> lookUp(const std::string& macro, const DictionaryNode& scope, bool inExpression,
-                                  int depth) {
+std::optional<std::string> lookUp(const std::string& macro, const DictionaryNode& scope,
+                                  const Location& where, bool inExpression, int depth) {
     const MacroDefault parts = splitDefault(macro);
     std::optional<std::string> found;
     if (const auto* entry = findMacro(scope, parts.name); entry && !entry->dict) {
@@ -109,15 +112,17 @@ std::optional<std::string> lookUp(const std::string& macro, const DictionaryNode
         found = text;
     }
     if (parts.operation == '+')
-        return found && !found->empty() ? expandString(parts.text, scope, inExpression, depth + 1) : "";
+        return found && !found->empty() ? expandString(parts.text, scope, where, inExpression, depth + 1)
+                                        : "";
     if (parts.operation == '-' && (!found || found->empty()))
-        return expandString(parts.text, scope, inExpression, depth + 1);
+        return expandString(parts.text, scope, where, inExpression, depth + 1);
     return found;
 }
 
 }  // namespace
 
-std::string expandString(const std::string& text, const DictionaryNode& scope, bool inExpression, int depth) {
+std::string expandString(const std::string& text, const DictionaryNode& scope, const Location& where,
+                         bool inExpression, int depth) {
     if (depth > 20 || text.find('$') == std::string::npos) return text;
     std::string out;
     for (std::size_t i = 0; i < text.size();) {
@@ -137,7 +142,8 @@ std::string expandString(const std::string& text, const DictionaryNode& scope, b
             for (++end; end < text.size() && braces > 0; ++end) {
                 braces += text[end] == '{' ? 1 : text[end] == '}' ? -1 : 0;
             }
-            if (braces == 0) name = expandString(text.substr(i + 2, end - i - 3), scope, false, depth + 1);
+            if (braces == 0)
+                name = expandString(text.substr(i + 2, end - i - 3), scope, where, false, depth + 1);
         } else {
             while (end < text.size() && isNameCharacter(text[end])) ++end;
             name = text.substr(i + 1, end - i - 1);
@@ -150,15 +156,17 @@ std::string expandString(const std::string& text, const DictionaryNode& scope, b
             }
         }
         std::optional<std::string> value;
-        if (!name.empty()) value = lookUp(name, scope, inExpression, depth);
+        if (!name.empty()) value = lookUp(name, scope, where, inExpression, depth);
         // "$name.txt" means name where there is no entry "name.txt"
         while (!value && text[i + 1] != '{' && name.find('.', 1) != std::string::npos) {
             const auto dot = name.rfind('.');
             end -= name.size() - dot;
             name.erase(dot);
-            value = lookUp(name, scope, inExpression, depth);
+            value = lookUp(name, scope, where, inExpression, depth);
         }
         out += value ? *value : text.substr(i, end - i);
+        if (out.size() > maxExpansion)
+            throw UserError("The macros of a string expand to too much text", where);
         i = end;
     }
     return out;

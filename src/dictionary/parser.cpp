@@ -92,7 +92,8 @@ void Parser::entry(Lexer& lexer, const NodePtr& node, const Token& key) {
             result.tokens.clear();
         }
     }
-    add(node, std::move(result));
+    const bool headerOfInclude = open_.size() > 1 && result.dict && result.key == headerKey;
+    if (!headerOfInclude) add(node, std::move(result));
 }
 
 NodePtr Parser::dictionary(Lexer& lexer, const NodePtr& parent, const std::string& keyword,
@@ -108,7 +109,10 @@ NodePtr Parser::dictionary(Lexer& lexer, const NodePtr& parent, const std::strin
 void Parser::value(Lexer& lexer, const NodePtr& scope, const Token& key, Tokens& out, bool untilEnd) {
     Tokens open;
     const auto notEnded = [&](const std::string& found) {
-        const Location where = out.empty() ? key.where() : out.back().where();
+        // In "a 1 <newline> sub {" it is the line of "a 1", before the name of the dictionary.
+        std::size_t last = out.size();
+        if (found == "'{'" && last > 1 && out[last - 1].firstOnLine) --last;
+        const Location where = last == 0 ? key.where() : out[last - 1].where();
         throw UserError("Entry '" + key.text + "' is not ended before " + found + ": missing ';' ?", where);
     };
     while (true) {
@@ -130,7 +134,11 @@ void Parser::value(Lexer& lexer, const NodePtr& scope, const Token& key, Tokens&
         if (token.is('{')) {
             const bool uniform =
                 !out.empty() && out.back().kind == Token::Kind::integer && !token.spaceBefore;
-            if (!uniform && open.empty()) notEnded("'{'");
+            // "Gauss multivariateSelection {...};" is a value; a name alone on its line begins the next
+            // entry.
+            const bool nextEntry =
+                out.empty() || (out.size() > 1 && out.back().firstOnLine) || !out.back().isWord();
+            if (!uniform && open.empty() && nextEntry) notEnded("'{'");
             if (!uniform) {
                 const bool named = !out.empty() && (out.back().isWord() || out.back().isString());
                 Token dict = token;
@@ -157,7 +165,10 @@ void Parser::value(Lexer& lexer, const NodePtr& scope, const Token& key, Tokens&
         } else if (token.kind == Token::Kind::directive) {
             valueDirective(lexer, scope, token, key, out);
         } else {
-            if (token.isString()) token.expanded = expandString(token.text, *scope);
+            if (token.isString() && token.text.find('$') != std::string::npos) {
+                token.expanded = expandString(token.text, *scope, token.where());
+                spend(token.expanded.size() / 100, token.where());
+            }
             out.push_back(std::move(token));
         }
     }

@@ -36,7 +36,10 @@ private:
                         Tokens& out);
     void evaluate(Lexer& lexer, const NodePtr& scope, const Token& token, Tokens& out);
     std::filesystem::path includedFile(Lexer& lexer, const NodePtr& scope, const Token& token);
+    Lexer openFile(const std::filesystem::path& file, const Token& token);
+    void includeFile(const std::filesystem::path& file, const NodePtr& node, const Token& token);
     void include(Lexer& lexer, const NodePtr& node, const Token& token);
+    void includeFunction(Lexer& lexer, const NodePtr& node, const Token& token);
     void removeKeys(Lexer& lexer, const NodePtr& node, const Token& token);
     void setInputMode(Lexer& lexer, const Token& token);
 
@@ -47,7 +50,7 @@ private:
 
     InputMode mode_ = InputMode::merge;
     std::vector<std::filesystem::path> open_;  ///< the including files
-    long budget_ = 20'000'000;                 ///< tokens that macros may still produce
+    long budget_ = 1'000'000;                  ///< tokens that macros may still produce
 };
 
 }  // namespace pfem

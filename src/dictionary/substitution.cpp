@@ -37,7 +37,7 @@ void appendText(const std::string& text, const Token& variable, Tokens& out) {
 }  // namespace
 
 void Parser::appendVariable(const NodePtr& scope, const Token& variable, Tokens& out) {
-    const MacroDefault parts = splitDefault(expandString(variable.text, *scope));
+    const MacroDefault parts = splitDefault(expandString(variable.text, *scope, variable.where()));
     const DictionaryEntry* found = findMacro(*scope, parts.name);
     const bool negative = !out.empty() && out.back().is('-') && !variable.spaceBefore;
     const std::size_t first = out.size();
@@ -66,7 +66,7 @@ void Parser::appendVariable(const NodePtr& scope, const Token& variable, Tokens&
     } else if (const char* text = std::getenv(parts.name.c_str())) {
         appendText(parts.operation == '+' ? parts.text : text, variable, out);
     } else if (parts.operation == '-') {
-        appendText(expandString(parts.text, *scope), variable, out);
+        appendText(expandString(parts.text, *scope, variable.where()), variable, out);
     } else if (parts.operation != '+') {
         unknownMacro(scope, variable);
     }
@@ -90,29 +90,30 @@ std::string Parser::variableAsWord(const NodePtr& scope, const Token& variable) 
     return tokens[0].expanded.empty() ? tokens[0].text : tokens[0].expanded;
 }
 
-/// `$dict;` copies all entries of a dictionary; `$name value;` takes its keyword from `name`.
+/// `$dict;` copies all entries of a dictionary, also without ';'. `$name value;` takes its keyword from
+/// `name`.
 void Parser::substitute(Lexer& lexer, const NodePtr& node, const Token& variable) {
-    const Token next = lexer.next();
-    lexer.putBack(next);
-    const bool alone = next.is(';') || next.is('}') || next.isEnd();
-    if (!alone) {
-        Token key = variable;
-        key.text = variableAsWord(node, variable);
-        key.kind = Token::Kind::word;
-        entry(lexer, node, key);
+    const DictionaryEntry* found =
+        findMacro(*node, expandString(variable.text, *node, variable.where()), true);
+    if (found && found->dict) {
+        const NodePtr copy = copyNode(*found->dict->node(), node, node->keyword, variable.where(), budget_);
+        for (auto& copied : copy->entries) {
+            if (copied.dict) copied.dict->node()->parent = node;
+            add(node, std::move(copied));
+        }
         return;
     }
-    const DictionaryEntry* found = findMacro(*node, expandString(variable.text, *node));
-    if (!found) unknownMacro(node, variable);
-    if (!found->dict) {
+    const Token next = lexer.next();
+    lexer.putBack(next);
+    if (next.is(';') || next.is('}') || next.isEnd()) {
+        if (!found) unknownMacro(node, variable);
         throw UserError("$" + variable.text + " is not a dictionary: its entries cannot be copied here",
                         variable.where());
     }
-    const NodePtr copy = copyNode(*found->dict->node(), node, node->keyword, variable.where(), budget_);
-    for (auto& copied : copy->entries) {
-        if (copied.dict) copied.dict->node()->parent = node;
-        add(node, std::move(copied));
-    }
+    Token key = variable;
+    key.text = variableAsWord(node, variable);
+    key.kind = Token::Kind::word;
+    entry(lexer, node, key);
 }
 
 }  // namespace pfem

@@ -34,7 +34,8 @@ double magnitude(const std::vector<double>& value) {
 }  // namespace
 
 template <int Dim>
-FieldMinMax<Dim>::FieldMinMax(const Dictionary& dict, const FunctionContext<Dim>& context) : context_(context) {
+FieldMinMax<Dim>::FieldMinMax(const Dictionary& dict, const FunctionContext<Dim>& context)
+    : context_(context) {
     for (const auto& name : dict.get<std::vector<std::string>>("fields")) {
         try {
             fields_.push_back(nodalField<Dim>(name));
@@ -70,7 +71,8 @@ void FieldMinMax<Dim>::execute(const State<Dim>& state) {
         }
         if (lowest < 0) continue;
         table_->line(fmt::format("{}\t{}\t{}\t{}\t{}\t{}", table_->number(state.time.value), field.name,
-                                 table_->number(low), location(lowest), table_->number(high), location(highest)));
+                                 table_->number(low), location(lowest), table_->number(high),
+                                 location(highest)));
     }
 }
 

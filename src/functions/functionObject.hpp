@@ -1,5 +1,6 @@
 #pragma once
-// What is computed beside the solution while a run goes on (controlDict.functions), or afterwards by a utility.
+// What is computed beside the solution while a run goes on (controlDict.functions), or afterwards by a
+// utility.
 
 #include <filesystem>
 #include <functional>
@@ -16,11 +17,11 @@ namespace pfem {
 /// What a function may know beside the state.
 template <int Dim>
 struct FunctionContext {
-    std::string name;               // the entry's name in `functions`
-    std::filesystem::path folder;   // postProcessing/<name>/<startTime>
-    std::filesystem::path root;     // of the case
-    int precision = 6;              // significant digits of the columns
-    std::string startName;          // name of the time folder at which the run began
+    std::string name;              // the entry's name in `functions`
+    std::filesystem::path folder;  // postProcessing/<name>/<startTime>
+    std::filesystem::path root;    // of the case
+    int precision = 6;             // significant digits of the columns
+    std::string startName;         // name of the time folder at which the run began
 };
 
 template <int Dim>
@@ -36,8 +37,8 @@ public:
 };
 
 /// The state from which the run started first: that of the earliest complete time folder, or `state` itself
-/// when there is none before it. Functions that compare with the beginning ask for it, so that a restarted run
-/// gives the same answer.
+/// when there is none before it. Functions that compare with the beginning ask for it, so that a restarted
+/// run gives the same answer.
 template <int Dim>
 State<Dim> initialState(const std::filesystem::path& root, const State<Dim>& state);
 
@@ -46,6 +47,7 @@ std::vector<std::string> functionTypes();
 
 /// Make a function of the type that `dict` names. Throws UserError, for an unknown type with the valid list.
 template <int Dim>
-std::unique_ptr<FunctionObject<Dim>> makeFunction(const Dictionary& dict, const FunctionContext<Dim>& context);
+std::unique_ptr<FunctionObject<Dim>> makeFunction(const Dictionary& dict,
+                                                  const FunctionContext<Dim>& context);
 
 }  // namespace pfem

@@ -17,8 +17,9 @@ WriteControl readWriteControl(const Dictionary& dict) {
 }  // namespace
 
 template <int Dim>
-FunctionObjects<Dim>::FunctionObjects(const Case& theCase, const Dictionary& dict, const std::string& startName,
-                                      int precision, const std::string& onlyType) {
+FunctionObjects<Dim>::FunctionObjects(const Case& theCase, const Dictionary& dict,
+                                      const std::string& startName, int precision,
+                                      const std::string& onlyType) {
     const Dictionary functions = dict.subDictOrEmpty("functions");
     for (const auto& name : functions.keys()) {
         if (!functions.isDict(name)) functions.fatal(name, "'" + name + "' in functions is not a dictionary");

@@ -32,7 +32,8 @@ double dropVolumes(const State<Dim>& state) {
 template <int Dim>
 double fluidVolume(const State<Dim>& state) {
     double sum = dropVolumes(state);
-    for (const auto& simplex : state.mesh.fluid.nodes) sum += std::abs(simplexMeasure<Dim>(state.nodes.x, simplex));
+    for (const auto& simplex : state.mesh.fluid.nodes)
+        sum += std::abs(simplexMeasure<Dim>(state.nodes.x, simplex));
     return sum;
 }
 
@@ -51,7 +52,8 @@ double fluidMass(const State<Dim>& state, const std::map<std::string, double>& d
         if (volumes[m] == 0) continue;
         const auto rho = densities.find(state.mesh.materials[m]);
         if (rho == densities.end())
-            throw UserError("material '" + state.mesh.materials[m] + "' has no entry 'rho' in constant/materials");
+            throw UserError("material '" + state.mesh.materials[m] +
+                            "' has no entry 'rho' in constant/materials");
         mass += rho->second * volumes[m];
     }
     return mass;

@@ -1,5 +1,6 @@
 #pragma once
-// How much fluid there is, how much there was at the beginning, and what the ledger says about the difference.
+// How much fluid there is, how much there was at the beginning, and what the ledger says about the
+// difference.
 
 #include <filesystem>
 #include <map>
@@ -23,12 +24,12 @@ double fluidMass(const State<Dim>& state, const std::map<std::string, double>& d
 
 struct MassBalance {
     double time = 0;
-    double volume = 0;                    // [m2 (2D), m3]
-    double mass = 0;                      // [kg/m (2D), kg]
-    double relativeChange = 0;            // of the mass, since the beginning
+    double volume = 0;                     // [m2 (2D), m3]
+    double mass = 0;                       // [kg/m (2D), kg]
+    double relativeChange = 0;             // of the mass, since the beginning
     std::map<std::string, double> causes;  // change of volume by cause since the beginning
     double sumOfCauses = 0;
-    double unexplained = 0;               // change of volume that no cause accounts for
+    double unexplained = 0;  // change of volume that no cause accounts for
 };
 
 /// Compares states with the first one.

@@ -49,7 +49,8 @@ void MassLedger<Dim>::execute(const State<Dim>& state) {
     if (!table_ || causes != causes_) {  // begin anew
         causes_ = causes;
         table_.emplace(context_.folder / "fluidVolume.dat", context_.precision);
-        table_->comment("Fluid volume [m2 (2D), m3], mass [kg/m, kg] and cumulative change of volume by cause");
+        table_->comment(
+            "Fluid volume [m2 (2D), m3], mass [kg/m, kg] and cumulative change of volume by cause");
         table_->header(massTitles(causes_));
         from = 0;
     }

@@ -10,9 +10,9 @@
 
 namespace pfem {
 
-/// Writes postProcessing/<name>/<startTime>/fluidVolume.dat: time, volume, mass, its relative change since the first
-/// time of the case, one column per cause of the ledger, their sum, and what the sum leaves unexplained.
-/// The density is that of constant/materials.
+/// Writes postProcessing/<name>/<startTime>/fluidVolume.dat: time, volume, mass, its relative change since
+/// the first time of the case, one column per cause of the ledger, their sum, and what the sum leaves
+/// unexplained. The density is that of constant/materials.
 template <int Dim>
 class MassLedger : public FunctionObject<Dim> {
 public:

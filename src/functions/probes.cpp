@@ -11,7 +11,8 @@ namespace pfem {
 namespace {
 
 template <int Dim>
-std::vector<double> interpolated(const NodalField<Dim>& field, const Nodes<Dim>& nodes, const WeightedNodes<Dim>& at) {
+std::vector<double> interpolated(const NodalField<Dim>& field, const Nodes<Dim>& nodes,
+                                 const WeightedNodes<Dim>& at) {
     std::vector<double> sum(static_cast<std::size_t>(field.components), 0.0);
     for (int i = 0; i <= Dim; ++i) {
         const auto value = field.value(nodes, at.nodes[i]);
@@ -20,7 +21,9 @@ std::vector<double> interpolated(const NodalField<Dim>& field, const Nodes<Dim>&
     return sum;
 }
 
-bool has(Region fieldRegion, Region place) { return fieldRegion == Region::both || fieldRegion == place; }
+bool has(Region fieldRegion, Region place) {
+    return fieldRegion == Region::both || fieldRegion == place;
+}
 
 }  // namespace
 
@@ -33,7 +36,8 @@ Probes<Dim>::Probes(const Dictionary& dict, const FunctionContext<Dim>& context)
             dict.fatal("fields", error.what());
         }
     }
-    points_ = dict.get<std::vector<Eigen::Vector3d>>(dict.found("probeLocations") ? "probeLocations" : "points");
+    points_ =
+        dict.get<std::vector<Eigen::Vector3d>>(dict.found("probeLocations") ? "probeLocations" : "points");
     if (points_.empty()) dict.fatal("probeLocations", "no probe locations");
     fixed_ = dict.get("fixedLocations", true);
     dict.found("interpolationScheme");  // always linear in the triangle
@@ -74,7 +78,8 @@ void Probes<Dim>::execute(const State<Dim>& state) {
     std::vector<std::array<Sample, 2>> samples(points_.size());  // in the fluid, in the solid
     for (std::size_t i = 0; i < points_.size(); ++i) {
         if (!fixed_) {
-            if (anchors_[i]) samples[i][anchors_[i]->region == Region::solid ? 1 : 0] = follow(state, *anchors_[i]);
+            if (anchors_[i])
+                samples[i][anchors_[i]->region == Region::solid ? 1 : 0] = follow(state, *anchors_[i]);
             continue;
         }
         samples[i][0] = locate<Dim>(state.mesh.fluid, state.nodes.x, points_[i].head<Dim>());

@@ -22,10 +22,10 @@ struct Anchor {
 /// Writes postProcessing/<name>/<startTime>/<field>, a row per sample and a column per probe, in the form of
 /// OpenFOAM's probes. A probe that finds no material (a dry one) gives -1e+300.
 ///
-/// fixedLocations true (default): the point stays; values are interpolated linearly in the triangle that holds it
-/// (p in the fluid, sigma in the solid, the others in the fluid or else the solid).
-/// fixedLocations false: the point is attached at the first time of the case: to the solid triangle that holds it
-/// in the reference configuration, or else to the fluid triangle that holds it then, and follows those nodes.
+/// fixedLocations true (default): the point stays; values are interpolated linearly in the triangle that
+/// holds it (p in the fluid, sigma in the solid, the others in the fluid or else the solid). fixedLocations
+/// false: the point is attached at the first time of the case: to the solid triangle that holds it in the
+/// reference configuration, or else to the fluid triangle that holds it then, and follows those nodes.
 template <int Dim>
 class Probes : public FunctionObject<Dim> {
 public:

@@ -21,7 +21,9 @@ namespace {
     throw UserError(what + " \"" + path.string() + "\": " + reason, {path.string(), 0});
 }
 
-std::string systemReason() { return std::strerror(errno); }
+std::string systemReason() {
+    return std::strerror(errno);
+}
 
 /// Swap two names in one instant where the file system can, otherwise in two.
 void exchange(const fs::path& fresh, const fs::path& old) {

@@ -33,7 +33,8 @@ vtkDoubleArray* CheckedArrays::doubles(const std::string& name, int components) 
     auto* array = vtkDoubleArray::SafeDownCast(get(name, components));
     if (array == nullptr) fail("array '" + name + "' is not of type Float64");
     for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
-        if (!std::isfinite(array->GetValue(i))) fail("array '" + name + "' contains a value that is not finite");
+        if (!std::isfinite(array->GetValue(i)))
+            fail("array '" + name + "' contains a value that is not finite");
     return array;
 }
 

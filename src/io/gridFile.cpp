@@ -2,11 +2,13 @@
 
 #include <vtkCommand.h>
 #include <vtkErrorCode.h>
+#include <vtkLogger.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 #include <vtkXMLUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include <cstring>
 #include <exception>
 #include <string>
 
@@ -34,8 +36,7 @@ private:
 class SilentWindow : public vtkOutputWindow {
 public:
     static SilentWindow* New();
-    vtkTypeMacro(SilentWindow, vtkOutputWindow);
-    void DisplayText(const char*) override {}
+    vtkTypeMacro(SilentWindow, vtkOutputWindow) void DisplayText(const char*) override {}
     void DisplayErrorText(const char* text) override { error_->add(text); }
     void DisplayWarningText(const char*) override {}
     void DisplayGenericWarningText(const char*) override {}
@@ -44,15 +45,19 @@ public:
 };
 vtkStandardNewMacro(SilentWindow)
 
-/// VTK is silent while this lives; its first error can be asked for.
-class VtkErrors {
+    /// VTK is silent while this lives; its first error can be asked for.
+    class VtkErrors {
 public:
     VtkErrors() : previous_(vtkOutputWindow::GetInstance()) {
         auto window = vtkSmartPointer<SilentWindow>::New();
         window->error_ = error_;
         vtkOutputWindow::SetInstance(window);
+        vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
     }
-    ~VtkErrors() { vtkOutputWindow::SetInstance(previous_); }
+    ~VtkErrors() {
+        vtkOutputWindow::SetInstance(previous_);
+        vtkLogger::SetStderrVerbosity(verbosity_);
+    }
     VtkErrors(const VtkErrors&) = delete;
     VtkErrors& operator=(const VtkErrors&) = delete;
 
@@ -62,10 +67,19 @@ public:
 private:
     vtkSmartPointer<FirstError> error_ = vtkSmartPointer<FirstError>::New();
     vtkSmartPointer<vtkOutputWindow> previous_;
+    vtkLogger::Verbosity verbosity_ = vtkLogger::GetCurrentVerbosityCutoff();
 };
 
-[[noreturn]] void fail(const std::string& what, const std::filesystem::path& file, const std::string& reason) {
+[[noreturn]] void fail(const std::string& what, const std::filesystem::path& file,
+                       const std::string& reason) {
     throw UserError(what + " \"" + file.string() + "\": " + reason, {file.string(), 0});
+}
+
+/// VTK's error codes begin with the system's.
+std::string reasonOf(unsigned long code) {
+    if (code == vtkErrorCode::OutOfDiskSpaceError) return "no space left on the disk";
+    if (code < vtkErrorCode::FirstVTKErrorCode) return std::strerror(static_cast<int>(code));
+    return "write error " + std::to_string(code);
 }
 
 }  // namespace
@@ -83,7 +97,7 @@ void writeGrid(const std::filesystem::path& file, vtkUnstructuredGrid* grid) {
     writer->SetHeaderTypeToUInt64();
     const int written = writer->Write();
     if (const unsigned long code = writer->GetErrorCode(); code != vtkErrorCode::NoError)
-        fail("cannot write", file, vtkErrorCode::GetStringFromErrorCode(code));
+        fail("cannot write", file, reasonOf(code));
     if (written != 1 || !errors.message().empty())
         fail("cannot write", file, errors.message().empty() ? "write error" : errors.message());
 }

@@ -15,9 +15,10 @@ namespace {
 const std::array<std::string, 3> parts{"fluid", "solid", "boundary"};
 
 std::string collection(const std::vector<TimeFolder>& times) {
-    std::string text = "<?xml version=\"1.0\"?>\n"
-                       "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-                       "  <Collection>\n";
+    std::string text =
+        "<?xml version=\"1.0\"?>\n"
+        "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+        "  <Collection>\n";
     for (const auto& time : times)
         for (std::size_t part = 0; part < parts.size(); ++part)
             text += fmt::format(
@@ -30,7 +31,8 @@ std::string series(const std::vector<TimeFolder>& times, const std::string& part
     std::string text = "{\n  \"file-series-version\" : \"1.0\",\n  \"files\" : [";
     const char* separator = "\n";
     for (const auto& time : times) {
-        text += fmt::format("{}    {{ \"name\" : \"{}/{}.vtu\", \"time\" : {} }}", separator, time.name, part, time.value);
+        text += fmt::format("{}    {{ \"name\" : \"{}/{}.vtu\", \"time\" : {} }}", separator, time.name, part,
+                            time.value);
         separator = ",\n";
     }
     return text + "\n  ]\n}\n";

@@ -12,7 +12,7 @@ namespace pfem {
 
 /// Nodal arrays for the eye only (freeSurface, solid pressure, ...): written, never read back.
 struct ExtraFields {
-    std::map<std::string, std::vector<double>> nodal;            // one value per node of the state
+    std::map<std::string, std::vector<double>> nodal;  // one value per node of the state
     std::map<std::string, std::vector<unsigned char>> nodalFlags;
 };
 

@@ -1,21 +1,12 @@
 #include <fmt/format.h>
-#include <vtkCell.h>
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
 
 #include <algorithm>
 #include <cstring>
-#include <numeric>
+#include <tuple>
 
-#include "base/error.hpp"
-#include "io/atomicFile.hpp"
-#include "io/gridArrays.hpp"
-#include "io/gridFile.hpp"
 #include "io/stateFiles.hpp"
 #include "io/stateGrid.hpp"
-#include "io/uniformTime.hpp"
+#include "io/statePart.hpp"
 
 namespace pfem {
 
@@ -23,116 +14,11 @@ using namespace stateGrid;
 
 namespace {
 
-/// One file, checked: its nodes, and per cell the type, the ids of its nodes and its integer.
-template <int Dim>
-struct Part {
-    std::string file;
-    Nodes<Dim> nodes;
-    bool hasStress = false;
-    std::vector<int> types;
-    std::vector<std::vector<Id>> cells;
-    std::vector<Id> values;
-    std::vector<std::string> materials;
-    std::vector<std::string> patchNames;  // boundary.vtu only
-
-    [[noreturn]] void fail(const std::string& reason) const {
-        throw UserError("cannot read \"" + file + "\": " + reason, {file, 0});
-    }
-};
-
-template <int Dim>
-Points<Dim> toPoints(vtkDataArray* array, const CheckedArrays& checked, const std::string& name) {
-    Points<Dim> points(static_cast<std::size_t>(array->GetNumberOfTuples()));
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        double xyz[3];
-        array->GetTuple(static_cast<vtkIdType>(i), xyz);
-        for (int c = 0; c < Dim; ++c) points[i][c] = xyz[c];
-        if (Dim == 2 && xyz[2] != 0.0) checked.fail("'" + name + "' leaves the plane z = 0 of a 2D case");
-    }
-    return points;
-}
-
-std::vector<double> toScalars(vtkDoubleArray* array) {
-    return {array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues()};
-}
-
-template <int Dim>
-Nodes<Dim> readNodes(vtkUnstructuredGrid* grid, const std::filesystem::path& file, bool& hasStress) {
-    const CheckedArrays arrays(file, grid->GetPointData(), grid->GetNumberOfPoints());
-    auto points = [&](const std::string& name) { return toPoints<Dim>(arrays.doubles(name, 3), arrays, name); };
-    Nodes<Dim> nodes;
-    nodes.id = arrays.integers("id");
-    auto* positions = vtkDoubleArray::SafeDownCast(grid->GetPoints()->GetData());
-    if (positions == nullptr) arrays.fail("the points are not of type Float64");
-    for (vtkIdType i = 0; i < positions->GetNumberOfValues(); ++i)
-        if (!std::isfinite(positions->GetValue(i))) arrays.fail("a point's position is not finite");
-    nodes.x = toPoints<Dim>(positions, arrays, "Points");
-    nodes.v = points("U");
-    nodes.a = points("a");
-    nodes.p = toScalars(arrays.doubles("p", 1));
-    nodes.X = points("X");
-    nodes.h = toScalars(arrays.doubles("h", 1));
-    nodes.dropVolume = toScalars(arrays.doubles("dropVolume", 1));
-    nodes.sigma.assign(nodes.id.size(), Stress<Dim>::Zero());
-    hasStress = arrays.found("sigma");
-    if (hasStress) {
-        auto* sigma = arrays.doubles("sigma", 6);
-        for (std::size_t i = 0; i < nodes.sigma.size(); ++i)
-            for (int c = 0; c < nStress<Dim>; ++c)
-                nodes.sigma[i][c] = sigma->GetTypedComponent(static_cast<vtkIdType>(i), c);
-    }
-    for (std::size_t i = 0; i < nodes.id.size(); ++i)
-        if (nodes.id[i] < 0 || (i > 0 && nodes.id[i] <= nodes.id[i - 1])) arrays.fail("the node ids do not ascend");
-    return nodes;
-}
-
-template <int Dim>
-void readCells(vtkUnstructuredGrid* grid, Part<Dim>& part) {
-    const vtkIdType nPoints = grid->GetNumberOfPoints();
-    for (vtkIdType e = 0; e < grid->GetNumberOfCells(); ++e) {
-        vtkIdType n = 0;
-        const vtkIdType* points = nullptr;
-        grid->GetCellPoints(e, n, points);
-        std::vector<Id> ids;
-        for (vtkIdType i = 0; i < n; ++i) {
-            if (points[i] < 0 || points[i] >= nPoints)
-                part.fail(fmt::format("cell {} refers to point {} of {}", e, points[i], nPoints));
-            ids.push_back(part.nodes.id[static_cast<std::size_t>(points[i])]);
-        }
-        std::vector<Id> sorted = ids;
-        std::sort(sorted.begin(), sorted.end());
-        if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
-            part.fail(fmt::format("cell {} has the same node twice", e));
-        part.types.push_back(grid->GetCellType(e));
-        part.cells.push_back(std::move(ids));
-    }
-}
-
-template <int Dim>
-Part<Dim> readPart(const std::filesystem::path& folder, const std::string& name, const std::string& values,
-                   const UniformTime& uniform) {
-    const std::filesystem::path file = folder / name;
-    Part<Dim> part;
-    part.file = file.string();
-    if (const auto sum = uniform.checksums.find(name); sum != uniform.checksums.end())
-        if (checksumOf(readText(file)) != sum->second)
-            part.fail("truncated or corrupt (its checksum is not the one in uniform/time)");
-    const auto grid = readGrid(file);
-    part.nodes = readNodes<Dim>(grid, file, part.hasStress);
-    readCells(grid.Get(), part);
-    part.values = CheckedArrays(file, grid->GetCellData(), grid->GetNumberOfCells()).integers(values);
-    const CheckedArrays field(file, grid->GetFieldData(), -1);
-    part.materials = field.words("materials");
-    if (name == boundaryFile) part.patchNames = field.words("patchNames");
-    if (vtkDoubleArray* time = field.doubles("TimeValue", 1);
-        time->GetNumberOfTuples() != 1 || time->GetValue(0) != uniform.time.value)
-        part.fail("its time is not the one in uniform/time");
-    return part;
-}
-
 template <int Dim>
 bool sameBits(const Nodes<Dim>& a, std::size_t i, const Nodes<Dim>& b, std::size_t j) {
-    auto same = [](const auto& s, const auto& t) { return std::memcmp(s.data(), t.data(), sizeof(double) * static_cast<std::size_t>(s.size())) == 0; };
+    auto same = [](const auto& s, const auto& t) {
+        return std::memcmp(s.data(), t.data(), sizeof(double) * static_cast<std::size_t>(s.size())) == 0;
+    };
     auto equal = [](double s, double t) { return std::memcmp(&s, &t, sizeof s) == 0; };
     return same(a.x[i], b.x[j]) && same(a.v[i], b.v[j]) && same(a.a[i], b.a[j]) && same(a.X[i], b.X[j]) &&
            equal(a.p[i], b.p[j]) && equal(a.h[i], b.h[j]) && equal(a.dropVolume[i], b.dropVolume[j]);
@@ -148,16 +34,19 @@ Nodes<Dim> mergeNodes(const std::vector<const Part<Dim>*>& parts) {
     };
     std::vector<Source> sources;
     for (std::size_t k = 0; k < parts.size(); ++k)
-        for (std::size_t i = 0; i < parts[k]->nodes.id.size(); ++i) sources.push_back({parts[k]->nodes.id[i], k, i});
-    std::sort(sources.begin(), sources.end(),
-              [](const Source& a, const Source& b) { return std::tie(a.id, a.part) < std::tie(b.id, b.part); });
+        for (std::size_t i = 0; i < parts[k]->nodes.id.size(); ++i)
+            sources.push_back({parts[k]->nodes.id[i], k, i});
+    std::sort(sources.begin(), sources.end(), [](const Source& a, const Source& b) {
+        return std::tie(a.id, a.part) < std::tie(b.id, b.part);
+    });
     Nodes<Dim> nodes;
     for (const Source& s : sources) {
         const Nodes<Dim>& from = parts[s.part]->nodes;
         if (nodes.id.empty() || nodes.id.back() != s.id)
             nodes.append(from, static_cast<int>(s.node));
         else if (!sameBits(nodes, nodes.id.size() - 1, from, s.node))
-            parts[s.part]->fail(fmt::format("node {} has other values than in another file of the folder", s.id));
+            parts[s.part]->fail(
+                fmt::format("node {} has other values than in another file of the folder", s.id));
     }
     return nodes;
 }
@@ -198,7 +87,8 @@ std::vector<Patch<Dim>> patchesOf(const Part<Dim>& part, const Nodes<Dim>& nodes
             part.fail(fmt::format("face {} has the unexpected type {}", f, part.types[f]));
         if (part.values[f] < 0 || part.values[f] >= static_cast<Id>(patches.size()))
             part.fail(fmt::format("face {} belongs to patch {} of {}", f, part.values[f], patches.size()));
-        patches[static_cast<std::size_t>(part.values[f])].faces.push_back(toIndices<Dim>(part.cells[f], nodes));
+        patches[static_cast<std::size_t>(part.values[f])].faces.push_back(
+            toIndices<Dim>(part.cells[f], nodes));
     }
     return patches;
 }
@@ -220,7 +110,8 @@ State<Dim> readState(const std::filesystem::path& folder) {
     state.ledger = uniform.ledger;
     state.nodes = mergeNodes<Dim>({&solid, &fluid, &boundary});
     if (!state.nodes.id.empty() && state.nodes.id.back() >= state.nextId)
-        fluid.fail(fmt::format("node {} is not below nextId {} in uniform/time", state.nodes.id.back(), state.nextId));
+        fluid.fail(fmt::format("node {} is not below nextId {} in uniform/time", state.nodes.id.back(),
+                               state.nextId));
     state.mesh.fluid = simplicesOf(fluid, state.nodes, true);
     state.mesh.solid = simplicesOf(solid, state.nodes, false);
     state.mesh.patches = patchesOf(boundary, state.nodes);

@@ -15,22 +15,27 @@ Table::Table(const std::filesystem::path& file, int precision) : file_(file), pr
     errno = 0;
     stream_.open(file, std::ios::trunc);
     if (!stream_)
-        throw UserError("cannot write \"" + file.string() + "\": " + std::strerror(errno), {file.string(), 0});
+        throw UserError("cannot write \"" + file.string() + "\": " + std::strerror(errno),
+                        {file.string(), 0});
 }
 
 void Table::line(const std::string& text) {
     errno = 0;
     stream_ << text << std::endl;
     if (!stream_)
-        throw UserError("cannot write \"" + file_.string() + "\": " + std::strerror(errno), {file_.string(), 0});
+        throw UserError("cannot write \"" + file_.string() + "\": " + std::strerror(errno),
+                        {file_.string(), 0});
 }
 
-void Table::comment(const std::string& text) { line("# " + text); }
+void Table::comment(const std::string& text) {
+    line("# " + text);
+}
 
 void Table::header(const std::vector<std::string>& titles) {
     std::string text = "#";
     for (std::size_t i = 0; i < titles.size(); ++i)
-        text += i == 0 ? fmt::format("{:>{}}", titles[i], width() - 1) : fmt::format(" {:>{}}", titles[i], width());
+        text += i == 0 ? fmt::format("{:>{}}", titles[i], width() - 1)
+                       : fmt::format(" {:>{}}", titles[i], width());
     line(text);
 }
 
@@ -41,7 +46,9 @@ void Table::row(const std::vector<std::string>& columns) {
     line(text);
 }
 
-std::string Table::number(double value) const { return fmt::format("{:.{}g}", value, precision_); }
+std::string Table::number(double value) const {
+    return fmt::format("{:.{}g}", value, precision_);
+}
 
 std::string Table::tuple(const std::vector<double>& values) const {
     std::string text = fmt::format("{:>{}}", "(", width());

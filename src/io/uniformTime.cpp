@@ -21,7 +21,8 @@ double finite(const std::string& name, double value) {
 
 const std::string& plainWord(const std::string& word) {
     bool plain = !word.empty() && std::isalpha(static_cast<unsigned char>(word[0]));
-    for (const char c : word) plain = plain && (std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.');
+    for (const char c : word)
+        plain = plain && (std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.');
     if (!plain) throw InternalError("uniform/time: '" + word + "' cannot be a keyword");
     return word;
 }
@@ -76,7 +77,7 @@ UniformTime readUniformTime(const std::filesystem::path& folder) {
     uniform.nextId = readWhole(dict, "nextId");
     const Dictionary ledger = dict.subDict("ledger");
     for (const auto& cause : ledger.keys()) uniform.ledger[cause] = readFinite(ledger, cause);
-    const Dictionary sums = dict.subDictOrEmpty("checksums");
+    const Dictionary sums = dict.subDict("checksums");
     for (const auto& file : sums.keys()) uniform.checksums[file] = sums.get<std::string>(file);
     return uniform;
 }

@@ -14,7 +14,7 @@ struct UniformTime {
     TimeInfo time;
     Id nextId = 0;
     std::map<std::string, double> ledger;          // cumulative fluid volume by cause [m2 (2D), m3]
-    std::map<std::string, std::string> checksums;  // of the files of the folder, as checksumOf() gives
+    std::map<std::string, std::string> checksums;  // of the folder's files, by checksumOf(); or "none"
 };
 
 /// The text of the file in the folder named `folderName`; numbers in the shortest form that reads back to

@@ -28,8 +28,8 @@ Eigen::Matrix<double, Dim + 1, 1> barycentric(const Simplex<Dim>& simplex, const
     return weights;
 }
 
-/// The cell in which `point` lies deepest; nothing when every cell has a barycentric coordinate below -tolerance.
-/// Of equal cells (a point on a common face) the first. Cost: one pass over the cells.
+/// The cell in which `point` lies deepest; nothing when every cell has a barycentric coordinate below
+/// -tolerance. Of equal cells (a point on a common face) the first. Cost: one pass over the cells.
 template <int Dim>
 std::optional<WeightedNodes<Dim>> locate(const Cells<Dim>& cells, const Points<Dim>& x, const Vec<Dim>& point,
                                          double tolerance = 1e-6) {

@@ -90,7 +90,8 @@ Curve edgeCurve(const Outline& outline, int edge) {
     const int from = edge, to = (edge + 1) % n;
     const Vec<2>&a = outline.points[from], &b = outline.points[to];
     for (const auto& arc : outline.arcs) {
-        const bool same = arc.from == from && arc.to == to, reverse = arc.from == to && arc.to == from;
+        const bool same = arc.from == from && arc.to == to;
+        const bool reverse = n > 2 && arc.from == to && arc.to == from;
         if (!same && !reverse) continue;
         if (const auto curve = Curve::arc(a, arc.through, b)) return *curve;
         throw UserError(fmt::format("arc {} {} ({:g} {:g}) of '{}': the three points lie on one line", arc.from,

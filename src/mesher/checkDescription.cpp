@@ -17,7 +17,7 @@ std::string pointList(Points<2> points) {
 }
 
 void checkOutline(const Outline& outline, double defaultSize, const char* what, const char* keyword) {
-    const auto n = outline.points.size(), least = std::size_t(outline.closed ? 3 : 2);
+    const auto n = outline.points.size(), least = std::size_t(outline.closed && outline.arcs.size() < 2 ? 3 : 2);
     if (n < least)
         throw UserError(fmt::format("{} '{}' has {} points; at least {} are needed", what, outline.name, n, least),
                         outline.at(keyword));

@@ -23,7 +23,10 @@ TriangleQuality triangleQuality(const Nodes<2>& nodes, const Cells<2>& cells, in
             edges.push_back(2 * u.norm() / (nodes.h[i] + nodes.h[j]));
             if (k == 0) quality.area += 0.5 * cross;
         }
-        quality.minAngle = std::min(quality.minAngle, least);
+        if (least < quality.minAngle) {
+            quality.minAngle = least;
+            quality.worst = nodes.x[cells.nodes[c][0]];
+        }
         quality.meanMinAngle += least / quality.count;
     }
     std::sort(edges.begin(), edges.end());
@@ -66,6 +69,9 @@ std::string meshReport(const MeshDescription& description, const MeshResult& res
         text += fmt::format("{:<16s} {:<6s} {:<12s} {:>9d} {:>12.6g} {:>10g} {:>6.1f} {:>6.1f}   {:.2f} {:.2f} {:.2f}\n",
                             body.name, fluid ? "fluid" : "solid", body.material, q.count, q.area, h, q.minAngle,
                             q.meanMinAngle, q.shortest, q.median, q.longest);
+        if (q.minAngle < 20)
+            warnings += fmt::format("--> PFEM Warning: '{}' has an angle of {:.1f} degrees near ({:g} {:g})\n", body.name,
+                                    q.minAngle, q.worst.x(), q.worst.y());
         // a slender body's thickness is about twice its area by its perimeter
         const double across = 2 * meshed.area / meshed.perimeter / h;
         if (!fluid && body.pattern == Pattern::unstructured && across < 3)

@@ -45,6 +45,7 @@ void addLoop(Region& region, const std::vector<int>& nodes, const BoundaryNodes&
         region.edges.push_back({first + i, first + (i + 1) % n});
     }
     region.nBoundary = static_cast<int>(region.x.size());
+    ++region.nLoops;
 }
 
 /// Per edge of the chain: whether a wall shares it.
@@ -79,12 +80,14 @@ Region regionOf(const MeshDescription& mesh, int body, const Arrangement& arrang
         markWalls(region, arrangement.chains[hole], true, arrangement, boundary);
     }
     double longest = 0;
+    region.rowSpacing = region.h;
     for (int e = 0; e < description.nEdges(); ++e) {
         const Curve curve = edgeCurve(description, e);
         if (curve.isArc() || curve.length() < longest * (1 + 1e-9)) continue;
         longest = curve.length();
         region.rowDirection = (curve.point(1) - curve.point(0)) / longest;
         region.rowOrigin = curve.point(0);
+        region.rowSpacing = longest / std::max(1.0, std::round(longest / region.h));
     }
     return region;
 }

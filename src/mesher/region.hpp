@@ -6,17 +6,26 @@
 
 namespace pfem {
 
+/// A point that may move no further than `radius` from x.
+struct Anchor {
+    Vec<2> x;
+    double radius;  // [m]
+};
+
 /// Points 0 .. nBoundary-1 lie on the boundary and stay; those of the inside follow.
 struct Region {
     Points<2> x;
     int nBoundary = 0;
+    int nLoops = 0;
     std::vector<int> boundaryNode;  // of BoundaryNodes, per boundary point
     std::vector<Face<2>> edges;     // the body on the left of a -> b; first the outer loop, then holes
     std::vector<bool> onWall;       // per edge: part of a rigid wall
+    std::vector<Anchor> anchors;    // of the first inner points: those beside corners
     bool fluid = true;
     double h = 0;                   // the body's size [m]
     Vec<2> rowDirection = Vec<2>::UnitX();  // of the lattice: along the longest straight edge
     Vec<2> rowOrigin = Vec<2>::Zero();      // a node on that edge
+    double rowSpacing = 0;                  // of the nodes on that edge, were it divided evenly [m]
 
     double area() const;       // [m2]
     double perimeter() const;  // [m]
@@ -37,13 +46,13 @@ std::vector<Simplex<2>> fillPattern(Region& region, Pattern pattern, std::array<
 
 // ---- the steps of fillUnstructured ----
 
-/// Points on the bisectors of corners, so that a corner has at least two triangles. Not to be moved.
+/// Anchored points on the bisectors of corners, so that a corner has at least two triangles.
 void seedCorners(Region& region);
 
 /// Points of hexagonal lattices at the wanted distance.
 void seedLattice(Region& region, const SizeField& size);
 
-/// Move the points from `first` on until the triangles are nearly equilateral; returns the triangles.
-std::vector<Simplex<2>> smoothAndTriangulate(Region& region, int first, const SizeField& size);
+/// Move the inner points until the triangles are nearly equilateral; returns the triangles.
+std::vector<Simplex<2>> smoothAndTriangulate(Region& region, const SizeField& size);
 
 }  // namespace pfem

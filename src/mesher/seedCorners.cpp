@@ -30,13 +30,14 @@ void seedCorners(Region& region) {
         const double h = std::min(out.norm(), in.norm());
         const Vec<2> x = region.x[i] + h * bisector;
         bool free = true;
-        for (const auto& [a, b] : region.edges) {
-            if (a == i || b == i) continue;
-            free = free && segmentDistance(x, region.x[a], region.x[b]) > 0.35 * h;
-        }
-        for (std::size_t k = region.nBoundary; k < region.x.size(); ++k)
-            free = free && (region.x[k] - x).norm() > 0.6 * h;
-        if (free) region.x.push_back(x);
+        for (const auto& [a, b] : region.edges)
+            free = free && (a == i || b == i || segmentDistance(x, region.x[a], region.x[b]) > 0.35 * h);
+        for (const auto& other : region.anchors) free = free && (other.x - x).norm() > 0.6 * h;
+        if (!free) continue;
+        const double radius = 0.5 * h / std::cos(0.5 * angle);  // of the circle; the bisector is its diameter
+        const double slack = radius - std::abs(radius - h);     // from x to the circle
+        region.anchors.push_back({x, std::min(0.25 * h, 0.7 * slack)});
+        region.x.push_back(x);
     }
 }
 

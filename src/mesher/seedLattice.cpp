@@ -9,9 +9,10 @@ namespace pfem {
 
 namespace {
 
-/// Calls f(x) for the points of a hexagonal lattice with edge length h inside the region, row by row.
+/// Calls f(x) for the points inside the region of a hexagonal lattice, `scale` times the body's size, row by row.
 template <class F>
-void forLattice(const Region& region, double h, F&& f) {
+void forLattice(const Region& region, double scale, F&& f) {
+    const double h = scale * region.rowSpacing;
     const Vec<2> e = region.rowDirection, n(-e.y(), e.x());
     const auto local = [&](const Vec<2>& x) {
         const Vec<2> d = x - region.rowOrigin;
@@ -24,7 +25,7 @@ void forLattice(const Region& region, double h, F&& f) {
         high = std::max(high, y);
     }
     // rows that fit between parallel sides
-    const double ideal = 0.5 * std::sqrt(3.0) * h;
+    const double ideal = 0.5 * std::sqrt(3.0) * scale * region.h;
     const double rowHeight = (high - low) / std::max(1.0, std::round((high - low) / ideal));
     const auto firstRow = static_cast<long>(std::floor(low / rowHeight));
     const auto nRows = static_cast<long>(std::ceil(high / rowHeight)) - firstRow + 1;
@@ -51,9 +52,11 @@ void forLattice(const Region& region, double h, F&& f) {
 
 }  // namespace
 
-void seedLattice(Region& region, const SizeField& size) {
-    constexpr double clearance = 0.6;  // least distance from the boundary / size
-    constexpr double spacing = 0.75;   // least distance between points of different lattices / size
+namespace {
+
+/// Points not nearer to the boundary than `clearance` times the size.
+void seedAt(Region& region, const SizeField& size, double clearance) {
+    constexpr double spacing = 0.8;   // least distance between points of different lattices / size
     BinGrid boundary(region.h), points(region.h);
     for (int e = 0; e < static_cast<int>(region.edges.size()); ++e)
         boundary.addSegment(e, region.x[region.edges[e][0]], region.x[region.edges[e][1]]);
@@ -65,7 +68,7 @@ void seedLattice(Region& region, const SizeField& size) {
     const int levels = graded ? static_cast<int>(std::ceil(std::log(region.h / size.smallest()) / std::log(ratio))) : 0;
     for (int level = levels; level >= 0; --level) {
         const double h = region.h / std::pow(ratio, level);
-        forLattice(region, h, [&](const Vec<2>& x) {
+        forLattice(region, h / region.h, [&](const Vec<2>& x) {
             const double s = size.at(x, region.h);
             if (graded && (s > h * std::sqrt(ratio) || (s <= h / std::sqrt(ratio) && level < levels))) return;
             bool free = true;
@@ -80,6 +83,31 @@ void seedLattice(Region& region, const SizeField& size) {
             region.x.push_back(x);
         });
     }
+}
+
+}  // namespace
+
+// A body a few edges wide gets too many or too few points with one rule for the first row: of several the one
+// which comes nearest to the number of equilateral triangles is taken.
+void seedLattice(Region& region, const SizeField& size) {
+    const double wanted = region.area() / (0.25 * std::sqrt(3.0) * region.h * region.h);
+    const auto triangles = [&](std::size_t nPoints) {  // Euler's formula; a hole adds two
+        return 2.0 * static_cast<double>(nPoints) - region.nBoundary - 2 + 2 * (region.nLoops - 1);
+    };
+    const Points<2> start = region.x;
+    Points<2> best;
+    double leastError = std::numeric_limits<double>::max();
+    for (const double clearance : {0.6, 0.55, 0.5, 0.65, 0.7}) {
+        region.x = start;
+        seedAt(region, size, clearance);
+        const double error = std::abs(triangles(region.x.size()) / wanted - 1);
+        if (error < leastError) {
+            leastError = error;
+            best = region.x;
+        }
+        if (leastError < 0.02 || size.graded(region.h)) break;
+    }
+    region.x = best;
 }
 
 }  // namespace pfem

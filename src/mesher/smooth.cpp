@@ -5,7 +5,7 @@ namespace pfem {
 
 namespace {
 
-constexpr int sweeps = 20;
+constexpr int sweeps = 30;
 
 double cross(const Vec<2>& a, const Vec<2>& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -22,10 +22,10 @@ Vec<2> circumcentre(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c) {
 // Optimal Delaunay smoothing: each point goes to the mean of its triangles' circumcentres, weighted with
 // area / size^3 (a finer region counts as many triangles as a coarse one), then the points are triangulated
 // again. The hexagonal lattice is its fixed point: only the seam along the boundary moves.
-std::vector<Simplex<2>> smoothAndTriangulate(Region& region, int first, const SizeField& size) {
+std::vector<Simplex<2>> smoothAndTriangulate(Region& region, const SizeField& size) {
     const int n = static_cast<int>(region.x.size());
     auto triangles = triangulate(region.x, region.edges);
-    if (first >= n) return triangles;
+    if (region.nBoundary == n) return triangles;
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         Points<2> sum(n, Vec<2>::Zero());
         std::vector<double> weight(n, 0.0);
@@ -39,7 +39,13 @@ std::vector<Simplex<2>> smoothAndTriangulate(Region& region, int first, const Si
                 weight[i] += w;
             }
         }
-        for (int i = first; i < n; ++i) region.x[i] = sum[i] / weight[i];
+        for (int i = region.nBoundary; i < n; ++i) region.x[i] = sum[i] / weight[i];
+        for (std::size_t k = 0; k < region.anchors.size(); ++k) {
+            const auto& [centre, radius] = region.anchors[k];
+            Vec<2>& x = region.x[region.nBoundary + k];
+            const double distance = (x - centre).norm();
+            if (distance > radius) x = Vec<2>(centre + radius / distance * (x - centre));
+        }
         triangles = triangulate(region.x, region.edges);
     }
     return triangles;
@@ -47,9 +53,8 @@ std::vector<Simplex<2>> smoothAndTriangulate(Region& region, int first, const Si
 
 std::vector<Simplex<2>> fillUnstructured(Region& region, const SizeField& size) {
     seedCorners(region);
-    const int first = static_cast<int>(region.x.size());
     seedLattice(region, size);
-    return smoothAndTriangulate(region, first, size);
+    return smoothAndTriangulate(region, size);
 }
 
 }  // namespace pfem

@@ -82,13 +82,13 @@ public:
         for (std::size_t e = 0; e < t_.cells.size(); ++e) judge(static_cast<int>(e));
         countCells();
         peel();
-        Connectivity result;
+        Connectivity& result = result_;
         for (std::size_t e = 0; e < t_.cells.size(); ++e) {
             if (!accepted_[e]) continue;
             result.fluid.push_back(t_.cells[e]);
-            if (!inside_[e]) result.gained += simplexMeasure<2>(nodes_.x, t_.cells[e]);
+            if (!inside_[e]) result.contact += simplexMeasure<2>(nodes_.x, t_.cells[e]);
         }
-        return result;
+        return std::move(result);
     }
 
 private:
@@ -150,8 +150,12 @@ private:
         while (!work.empty()) {
             const int e = work.back();
             work.pop_back();
-            if (!accepted_[e] || !isAtSurface(e) || !(isStretched(e) || isReleased(e))) continue;
+            if (!accepted_[e] || !isAtSurface(e)) continue;
+            const bool stretched = isStretched(e);
+            if (!stretched && !isReleased(e)) continue;
             accepted_[e] = 0;
+            if (inside_[e])
+                (stretched ? result_.stretched : result_.released) += simplexMeasure<2>(nodes_.x, t_.cells[e]);
             for (int node : t_.cells[e]) --cells_[node];
             for (int other : t_.neighbours[e])
                 if (isFluid(other)) work.push_back(other);
@@ -166,6 +170,7 @@ private:
     std::vector<unsigned char> inside_;
     std::vector<unsigned char> accepted_;
     std::vector<int> cells_;  // accepted cells per node
+    Connectivity result_;
 };
 
 }  // namespace

@@ -18,7 +18,9 @@ struct CandidateNodes {
 
 struct Connectivity {
     std::vector<Simplex<2>> fluid;
-    double gained = 0;  // volume of accepted triangles outside the moved old mesh
+    double contact = 0;    // volume of accepted triangles outside the moved old mesh
+    double stretched = 0;  // volume peeled off inside it: stretched triangles and slivers
+    double released = 0;   // volume peeled off inside it: wall nodes that were released
 };
 
 /// Inside the moved old mesh everything is fluid; from its boundary, triangles with a circumradius above

@@ -152,8 +152,10 @@ RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKi
     state.mesh.fluid.material.assign(selected.fluid.size(), material);
 
     const double change = cellVolume<Dim>(state.nodes.x, selected.fluid) - moved.volume;
-    state.ledger["contact"] += selected.gained;
-    state.ledger["dropped"] += change - selected.gained;
+    state.ledger["contact"] += selected.contact;
+    state.ledger["stretched"] -= selected.stretched;
+    state.ledger["released"] -= selected.released;
+    state.ledger["reshaped"] += change - selected.contact + selected.stretched + selected.released;
     updateDrops(moved, newIndex, kinds, state);
 
     RemeshReport report;

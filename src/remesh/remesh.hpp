@@ -13,7 +13,8 @@ struct RemeshReport {
 
 /// Remove and insert nodes, triangulate with walls, solids and the free surface as constraints, select the fluid.
 /// The volume's change by cause is added to state.ledger: "contact" (triangles accepted outside the moved old
-/// mesh), "dropped" (the rest: peeled off, left out), "isolated" (carried by particles without triangles).
+/// mesh), "stretched" and "released" (peeled off inside it), "reshaped" (partly covered triangles, removed
+/// surface nodes, overlaps), "isolated" (carried by particles without triangles).
 template <int Dim>
 RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKind>& kinds, State<Dim>& state);
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "continuity/continuitySystem.hpp"
 #include "continuity/residual.hpp"
@@ -53,6 +55,20 @@ void checkPatches(const Patches<Dim>& fluid, const Patches<Dim>& solid, const No
             throw StepFailure(fmt::format("fluid patch of node {} inverted at {}", nodes.id[i], place(nodes.x[i])));
 }
 
+/// Where the pressure still changes most: for the message of a step that did not converge.
+template <int Dim>
+std::string worstPlace(const std::vector<double>& dp, const Nodes<Dim>& nodes, const Topology<Dim>& topology,
+                       const Patches<Dim>& fluid) {
+    const auto worst = std::max_element(dp.begin(), dp.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+    if (worst == dp.end()) return "";
+    const int i = static_cast<int>(worst - dp.begin());
+    double least = std::numeric_limits<double>::max();
+    for (int s = topology.fluid.start[i]; s < topology.fluid.start[i + 1]; ++s)
+        least = std::min(least, fluid.element[topology.fluid.cell[s]].measure);
+    return fmt::format("; worst at ({:.6g} {:.6g}), node {} with {} triangles, smallest {:.3g} h^{}", nodes.x[i][0],
+                       nodes.x[i][1], nodes.id[i], topology.fluid.count(i), least / std::pow(nodes.h[i], Dim), Dim);
+}
+
 /// Largest density times g times the mean node distance: the pressure that one layer of fluid makes.
 template <int Dim>
 double pressureScale(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const Nodes<Dim>& nodes) {
@@ -91,17 +107,19 @@ StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, c
     MomentumSystem<Dim> momentum(problem, controls.momentum, mesh, topology, constraints, fluid, mass,
                                  std::move(dofs), std::move(solidA), newmark);
     const auto tau = stabilisation<Dim>(problem, mesh.fluid, fluid, old.v, dt);
-    const ContinuitySystem<Dim> continuity(problem, controls.continuity, mesh.fluid, topology, fluid, tau, old.x,
-                                           momentum.solidDofs(), momentum.solidMatrix(), newmark);
+    const ContinuitySystem<Dim> continuity(problem, controls.continuity, mesh.fluid, topology, constraints, fluid, tau,
+                                           old.x, momentum.solidDofs(), momentum.solidMatrix(), newmark);
 
     Convergence convergence(controls.convergence, problem.gravity.norm() * dt,
                             pressureScale<Dim>(problem, mesh, old));
     StepReport report;
+    std::vector<double> dp;
     moveNodes<Dim>(newmark, constraints, topology, problem.gravity, old, trial);
     for (bool converged = false; !converged;) {
         if (report.iterations == controls.convergence.maxIterations)
-            throw StepFailure(fmt::format("no convergence in {} iterations: |dv|/|v| = {:.3g}, |dp|/|p| = {:.3g}",
-                                          report.iterations, report.finalU, report.finalP));
+            throw StepFailure(fmt::format("no convergence in {} iterations: |dv|/|v| = {:.3g}, |dp|/|p| = {:.3g}{}",
+                                          report.iterations, report.finalU, report.finalP,
+                                          worstPlace<Dim>(dp, trial, topology, fluid)));
         // patches, stresses, momentum residual, velocities
         updatePatches<Dim>(fluid, trial.x);
         updatePatches<Dim>(solid, trial.x);
@@ -121,7 +139,7 @@ StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, c
         updatePatches<Dim>(fluid, trial.x);
         const auto R_c = continuityResidual<Dim>(problem, controls.continuity, mesh.fluid, topology, fluid, tau,
                                                  trial, old.p, dt, divTarget);
-        const auto dp = continuity.solve(R_c);
+        dp = continuity.solve(R_c);
         for (int i = 0; i < trial.size(); ++i) trial.p[i] += dp[i];
 
         converged = convergence.reached(rms<Dim>(dv), rms<Dim>(trial.v), rms(dp), rms(trial.p));

@@ -28,7 +28,12 @@ TEST(Macros, scopes) {
     EXPECT_EQ(expanded("alpha.water 3; a $alpha.water;"), "alpha.water 3; a 3;");
     EXPECT_EQ(expanded("v (1 2 3); w ($v 4);"), "v ( 1 2 3 ); w ( ( 1 2 3 ) 4 );");
     EXPECT_EQ(expanded("a -2; b -$a; c 2; d (1 -$c);"), "a -2; b 2; c 2; d ( 1 -2 );");
-    EXPECT_EQ(expanded("\"in.*\" 3; a $inlet;"), "\"in.*\" 3; a 3;");
+}
+
+TEST(Macros, patternsCountForWholeDictionariesOnly) {
+    EXPECT_EQ(expanded("\"in.*\" { a 1; } s { $inlet; }"), "\"in.*\" { a 1; } s { a 1; }");
+    EXPECT_EQ(expanded("x 5; p { \".*\" 3; a $x; }"), "x 5; p { \".*\" 3; a 5; }");
+    EXPECT_THROW(expanded("\"in.*\" 3; a $inlet;"), UserError);
 }
 
 TEST(Macros, environmentAndDefaults) {
@@ -43,6 +48,8 @@ TEST(Macros, environmentAndDefaults) {
 TEST(Macros, dictionaries) {
     EXPECT_EQ(expanded("p { tol 1; relTol 0.1; s { a 1; } } pFinal { $p; relTol 0; s { b 2; } }"),
               "p { tol 1; relTol 0.1; s { a 1; } } pFinal { tol 1; relTol 0; s { a 1; b 2; } }");
+    EXPECT_EQ(expanded("p { a 1; } q { $p\n b 2; }"), "p { a 1; } q { a 1; b 2; }");
+    EXPECT_EQ(expanded("d Gauss multi { U linear; };"), "d Gauss multi { U linear; };");
     EXPECT_EQ(expanded("p { a 1; } q $p; l ( $p );"), "p { a 1; } q { a 1; } l ( { a 1; } );");
     EXPECT_EQ(expanded("s { a 1; } s { b 2; } x 1; x 2;"), "s { a 1; b 2; } x 2;");
     EXPECT_EQ(expanded("a 1; a { b 1; } c { d 1; } c 2;"), "a { b 1; } c 2;");

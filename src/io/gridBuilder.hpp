@@ -1,0 +1,105 @@
+#pragma once
+// Nodes and cells of a state as parts of a VTK grid. Internal to src/io.
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkIntArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <cmath>
+
+#include "io/gridArrays.hpp"
+#include "io/nodeSets.hpp"
+#include "io/stateFiles.hpp"
+#include "io/stateGrid.hpp"
+
+namespace pfem {
+
+template <int Dim>
+double component(const Vec<Dim>& vector, int c) {
+    return c < Dim ? vector[c] : 0.0;
+}
+
+/// Is there a stress at a node that solid.vtu does not hold? (Bits count: -0.0 is not 0.0.)
+template <int Dim>
+bool stressOutsideSolid(const State<Dim>& state, const NodeSet& set, const std::vector<char>& solid) {
+    for (const int i : set.nodes)
+        for (int c = 0; c < nStress<Dim> && solid[i] == 0; ++c)
+            if (state.nodes.sigma[i][c] != 0.0 || std::signbit(state.nodes.sigma[i][c])) return true;
+    return false;
+}
+
+/// Points and point data of the nodes in `set`; the stress only where the file needs it.
+template <int Dim>
+void addNodes(vtkUnstructuredGrid* grid, const State<Dim>& state, const NodeSet& set, bool withStress,
+              const ExtraFields& extra) {
+    const Nodes<Dim>& all = state.nodes;
+    const int n = set.size();
+    auto at = [&](int i) { return static_cast<std::size_t>(set.nodes[static_cast<std::size_t>(i)]); };
+
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    points->SetDataTypeToDouble();
+    points->SetData(makeArray<vtkDoubleArray>("Points", 3, n,
+                                              [&](int i, int c) { return component<Dim>(all.x[at(i)], c); }));
+    grid->SetPoints(points);
+
+    vtkPointData* data = grid->GetPointData();
+    auto vectors = [&](const std::string& name, const Points<Dim>& values) {
+        data->AddArray(makeArray<vtkDoubleArray>(
+            name, 3, n, [&](int i, int c) { return component<Dim>(values[at(i)], c); }));
+    };
+    auto scalars = [&](const std::string& name, const std::vector<double>& values) {
+        data->AddArray(makeArray<vtkDoubleArray>(name, 1, n, [&](int i, int) { return values[at(i)]; }));
+    };
+    data->SetGlobalIds(makeArray<vtkIdTypeArray>("id", 1, n, [&](int i, int) { return all.id[at(i)]; }));
+    vectors("U", all.v);
+    vectors("a", all.a);
+    scalars("p", all.p);
+    data->AddArray(makeArray<vtkDoubleArray>("D", 3, n, [&](int i, int c) {
+        return component<Dim>(all.x[at(i)], c) - component<Dim>(all.X[at(i)], c);
+    }));
+    vectors("X", all.X);
+    if (withStress) {
+        auto sigma = makeArray<vtkDoubleArray>(
+            "sigma", 6, n, [&](int i, int c) { return c < nStress<Dim> ? all.sigma[at(i)][c] : 0.0; });
+        for (int c = 0; c < 6; ++c)
+            sigma->SetComponentName(c, stateGrid::tensorComponents[static_cast<std::size_t>(c)]);
+        data->AddArray(sigma);
+    }
+    scalars("h", all.h);
+    scalars("dropVolume", all.dropVolume);
+    for (const auto& [name, values] : extra.nodal) scalars(name, values);
+    for (const auto& [name, values] : extra.nodalFlags)
+        data->AddArray(makeArray<vtkUnsignedCharArray>(
+            name, 1, n, [&, &flags = values](int i, int) { return flags[at(i)]; }));
+    data->SetActiveVectors("U");
+    data->SetActiveScalars("p");
+}
+
+/// Collects the cells of a grid, their types and their one integer array.
+class CellBuilder {
+public:
+    template <class Cell>
+    void add(int type, const Cell& cell, const NodeSet& set, int value) {
+        cells_->InsertNextCell(static_cast<int>(cell.size()));
+        for (const int i : cell) cells_->InsertCellPoint(set.local[static_cast<std::size_t>(i)]);
+        types_->InsertNextValue(static_cast<unsigned char>(type));
+        values_->InsertNextValue(value);
+    }
+    void finish(vtkUnstructuredGrid* grid, const std::string& valueName) {
+        values_->SetName(valueName.c_str());
+        grid->SetCells(types_, cells_);
+        grid->GetCellData()->AddArray(values_);
+    }
+
+private:
+    vtkSmartPointer<vtkCellArray> cells_ = vtkSmartPointer<vtkCellArray>::New();
+    vtkSmartPointer<vtkUnsignedCharArray> types_ = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    vtkSmartPointer<vtkIntArray> values_ = vtkSmartPointer<vtkIntArray>::New();
+};
+
+}  // namespace pfem

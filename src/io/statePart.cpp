@@ -1,0 +1,131 @@
+#include "io/statePart.hpp"
+
+#include <fmt/format.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/atomicFile.hpp"
+#include "io/gridArrays.hpp"
+#include "io/gridFile.hpp"
+#include "io/stateGrid.hpp"
+
+namespace pfem {
+
+namespace {
+
+template <int Dim>
+Points<Dim> toPoints(vtkDataArray* array, const CheckedArrays& checked, const std::string& name) {
+    Points<Dim> points(static_cast<std::size_t>(array->GetNumberOfTuples()));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        double xyz[3];
+        array->GetTuple(static_cast<vtkIdType>(i), xyz);
+        for (int c = 0; c < Dim; ++c) points[i][c] = xyz[c];
+        if (Dim == 2 && xyz[2] != 0.0) checked.fail("'" + name + "' leaves the plane z = 0 of a 2D case");
+    }
+    return points;
+}
+
+std::vector<double> toScalars(vtkDoubleArray* array) {
+    return {array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues()};
+}
+
+template <int Dim>
+Nodes<Dim> readNodes(vtkUnstructuredGrid* grid, const std::filesystem::path& file, bool& hasStress) {
+    const CheckedArrays arrays(file, grid->GetPointData(), grid->GetNumberOfPoints());
+    auto points = [&](const std::string& name) {
+        return toPoints<Dim>(arrays.doubles(name, 3), arrays, name);
+    };
+    Nodes<Dim> nodes;
+    nodes.id = arrays.integers("id");
+    auto* positions = vtkDoubleArray::SafeDownCast(grid->GetPoints()->GetData());
+    if (positions == nullptr) arrays.fail("the points are not of type Float64");
+    for (vtkIdType i = 0; i < positions->GetNumberOfValues(); ++i)
+        if (!std::isfinite(positions->GetValue(i))) arrays.fail("a point's position is not finite");
+    nodes.x = toPoints<Dim>(positions, arrays, "Points");
+    nodes.v = points("U");
+    nodes.a = points("a");
+    nodes.p = toScalars(arrays.doubles("p", 1));
+    nodes.X = points("X");
+    nodes.h = toScalars(arrays.doubles("h", 1));
+    nodes.dropVolume = toScalars(arrays.doubles("dropVolume", 1));
+    nodes.sigma.assign(nodes.id.size(), Stress<Dim>::Zero());
+    hasStress = arrays.found("sigma");
+    if (hasStress) {
+        auto* sigma = arrays.doubles("sigma", 6);
+        for (std::size_t i = 0; i < nodes.sigma.size(); ++i)
+            for (int c = 0; c < nStress<Dim>; ++c)
+                nodes.sigma[i][c] = sigma->GetTypedComponent(static_cast<vtkIdType>(i), c);
+    }
+    for (std::size_t i = 0; i < nodes.id.size(); ++i)
+        if (nodes.id[i] < 0 || (i > 0 && nodes.id[i] <= nodes.id[i - 1]))
+            arrays.fail("the node ids do not ascend");
+    return nodes;
+}
+
+template <int Dim>
+void readCells(vtkUnstructuredGrid* grid, Part<Dim>& part) {
+    const vtkIdType nPoints = grid->GetNumberOfPoints();
+    for (vtkIdType e = 0; e < grid->GetNumberOfCells(); ++e) {
+        vtkIdType n = 0;
+        const vtkIdType* points = nullptr;
+        grid->GetCellPoints(e, n, points);
+        std::vector<Id> ids;
+        for (vtkIdType i = 0; i < n; ++i) {
+            if (points[i] < 0 || points[i] >= nPoints)
+                part.fail(fmt::format("cell {} refers to point {} of {}", e, points[i], nPoints));
+            ids.push_back(part.nodes.id[static_cast<std::size_t>(points[i])]);
+        }
+        std::vector<Id> sorted = ids;
+        std::sort(sorted.begin(), sorted.end());
+        if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
+            part.fail(fmt::format("cell {} has the same node twice", e));
+        part.types.push_back(grid->GetCellType(e));
+        part.cells.push_back(std::move(ids));
+    }
+}
+
+/// VTK's reader dies of some damaged files (a division by zero in its decompression), so that a file is
+/// trusted only when its checksum is right. The word `none` in uniform/time leaves the check out.
+void checkSum(const std::filesystem::path& file, const std::string& name, const UniformTime& uniform) {
+    const auto sum = uniform.checksums.find(name);
+    const std::string text = readText(file);
+    if (sum == uniform.checksums.end())
+        throw UserError("cannot read \"" + file.string() + "\": uniform/time has no checksum for it",
+                        {file.string(), 0});
+    if (sum->second != "none" && sum->second != checksumOf(text))
+        throw UserError(
+            "cannot read \"" + file.string() + "\": truncated or corrupt (not the checksum in uniform/time)",
+            {file.string(), 0});
+}
+
+}  // namespace
+
+template <int Dim>
+Part<Dim> readPart(const std::filesystem::path& folder, const std::string& name, const std::string& values,
+                   const UniformTime& uniform) {
+    const std::filesystem::path file = folder / name;
+    Part<Dim> part;
+    part.file = file.string();
+    checkSum(file, name, uniform);
+    const auto grid = readGrid(file);
+    part.nodes = readNodes<Dim>(grid, file, part.hasStress);
+    readCells(grid.Get(), part);
+    part.values = CheckedArrays(file, grid->GetCellData(), grid->GetNumberOfCells()).integers(values);
+    const CheckedArrays field(file, grid->GetFieldData(), -1);
+    part.materials = field.words("materials");
+    if (name == stateGrid::boundaryFile) part.patchNames = field.words("patchNames");
+    if (vtkDoubleArray* time = field.doubles("TimeValue", 1);
+        time->GetNumberOfTuples() != 1 || time->GetValue(0) != uniform.time.value)
+        part.fail("its time is not the one in uniform/time");
+    return part;
+}
+
+template Part<2> readPart<2>(const std::filesystem::path&, const std::string&, const std::string&,
+                             const UniformTime&);
+
+}  // namespace pfem

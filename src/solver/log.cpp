@@ -1,0 +1,40 @@
+#include "solver/log.hpp"
+
+#include <fmt/format.h>
+
+namespace pfem {
+
+std::string courantLines(double mean, double max, double dt) {
+    return fmt::format("Courant Number mean: {:.6g} max: {:.6g}\ndeltaT = {:.6g}\n", mean * dt, max * dt, dt);
+}
+
+template <int Dim>
+std::string stepLines(const AdvanceReport& report, const State<Dim>& state, double firstVolume) {
+    std::string text;
+    for (const auto& reason : report.reasons) text += "Step rejected: " + reason + "\n";
+    const auto& s = report.step;
+    const auto solve = [&](const char* name, double first, double last, int iterations) {
+        return fmt::format("pfem:  Solving for {}, Initial residual = {:.6g}, Final residual = {:.6g}, No Iterations {}\n",
+                           name, first, last, iterations);
+    };
+    text += solve("U", s.initialU, s.finalU, s.iterations) + solve("p", s.initialP, s.finalP, s.iterations);
+    text += fmt::format("Mesh: {} nodes, {} fluid triangles, removed {}, inserted {}, returned {}\n", state.nodes.size(),
+                        state.mesh.fluid.size(), report.mesh.removed, report.mesh.inserted, report.returned);
+    double raw = 0;
+    for (const auto& [cause, amount] : state.ledger)
+        if (cause != "correction") raw += amount;
+    const double volume = totalVolume<Dim>(state);
+    text += fmt::format("Fluid volume = {:.6g}, change = {:.3g} %, raw = {:.3g} %\n", volume,
+                        100 * (volume / firstVolume - 1), 100 * raw / firstVolume);
+    return text;
+}
+
+std::string timeLines(double cpu, double clock, double fraction) {
+    const double left = fraction > 0 ? clock * (1 - fraction) / fraction : 0;
+    return fmt::format("ExecutionTime = {:.2f} s  ClockTime = {:.0f} s\nProgress = {:.1f} %, estimated time left = {:.0f} s\n\n",
+                       cpu, clock, 100 * fraction, left);
+}
+
+template std::string stepLines<2>(const AdvanceReport&, const State<2>&, double);
+
+}  // namespace pfem

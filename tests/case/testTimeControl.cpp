@@ -1,0 +1,272 @@
+#include <signal.h>
+
+#include <fstream>
+
+#include "../io/sampleState.hpp"
+#include "base/error.hpp"
+#include "case/interrupt.hpp"
+#include "case/timeControl.hpp"
+#include "io/stateFiles.hpp"
+
+namespace pfem {
+
+using namespace test;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A case with a time folder 0 and the given controlDict.
+class TimeControlTest : public testing::Test {
+protected:
+    TimeControlTest() {
+        fs::create_directories(folder_.path() / "system");
+        writeState(folder_.path() / "0", State<2>{});
+        clearInterrupt();
+    }
+    void write(const std::string& controls) {
+        std::ofstream(folder_.path() / "system/controlDict") << "FoamFile { format ascii; }\n" << controls;
+        // a new modification time also within the clock's resolution
+        fs::last_write_time(folder_.path() / "system/controlDict",
+                            fs::file_time_type::clock::now() + std::chrono::seconds(++edits_));
+    }
+    TimeControl open() const { return TimeControl(Case(folder_.path())); }
+
+    TemporaryFolder folder_;
+    int edits_ = 0;
+};
+
+/// Run to the end; the names of the written times.
+std::vector<std::string> run(TimeControl& control, TimeInfo& time, double courantRate = 0) {
+    std::vector<std::string> names;
+    for (int steps = 0; control.running(time); ++steps) {
+        if (steps > 100000) throw InternalError("endless");
+        time = control.advance(time, control.deltaT(time, courantRate));
+        if (control.writeDue(time)) {
+            names.push_back(control.name(time));
+            control.written(time);
+        }
+    }
+    return names;
+}
+
+}  // namespace
+
+TEST_F(TimeControlTest, TimeStepWrites) {
+    write("endTime 0.01; deltaT 0.001; writeControl timeStep; writeInterval 4;");
+    TimeControl control = open();
+    TimeInfo time;
+    EXPECT_EQ(run(control, time), (std::vector<std::string>{"0.004", "0.008", "0.01"}));
+    EXPECT_EQ(time.index, 10);
+    EXPECT_EQ(time.value, 0.01);
+}
+
+TEST_F(TimeControlTest, FixedStepsDoNotAccumulateRounding) {
+    write("endTime 10; deltaT 0.001; writeControl runTime; writeInterval 0.1;");
+    TimeControl control = open();
+    TimeInfo time;
+    const auto names = run(control, time);
+    ASSERT_EQ(names.size(), 100u);
+    EXPECT_EQ(names[2], "0.3");
+    EXPECT_EQ(names.back(), "10");
+    EXPECT_EQ(time.index, 10000);
+    EXPECT_EQ(time.value, 10000 * 0.001);
+    EXPECT_EQ(time.deltaT, 0.001);
+}
+
+TEST_F(TimeControlTest, AdjustableWritesFallExactlyOnMultiples) {
+    write(
+        "endTime 2; deltaT 0.0137; writeControl adjustable; writeInterval 0.1; adjustTimeStep yes; maxDeltaT "
+        "0.03;");
+    TimeControl control = open();
+    TimeInfo time;
+    int k = 0;
+    while (control.running(time)) {
+        const double dt = control.deltaT(time, 0);
+        EXPECT_LE(dt, 0.0303001);
+        if (time.index > 0) {
+            EXPECT_LE(dt, 1.2 * 1.011 * time.deltaT0);
+        }
+        time = control.advance(time, dt);
+        if (control.writeDue(time)) {
+            ++k;
+            EXPECT_EQ(time.value, k * 0.1);  // to the bit
+            EXPECT_EQ(control.name(time), timeName(k * 0.1));
+        }
+    }
+    EXPECT_EQ(k, 20);
+}
+
+TEST_F(TimeControlTest, AdjustableWithFixedStepKeepsItWhereItFits) {
+    write("endTime 0.25; deltaT 0.001; writeControl adjustableRunTime; writeInterval 0.05;");
+    TimeControl control = open();
+    TimeInfo time;
+    while (control.running(time)) {
+        const double dt = control.deltaT(time);
+        EXPECT_EQ(dt, 0.001);  // the same bits: factorisations can be kept
+        time = control.advance(time, dt);
+    }
+    EXPECT_EQ(time.index, 250);
+    EXPECT_EQ(time.value, 5 * 0.05);
+}
+
+TEST_F(TimeControlTest, CourantNumberLimitsTheStep) {
+    write("endTime 1; deltaT 0.01; adjustTimeStep yes; maxCo 0.5; writeControl none;");
+    TimeControl control = open();
+    TimeInfo time;
+    EXPECT_NEAR(control.deltaT(time, 1000), 0.0005, 1e-18);  // at once
+    time = control.advance(time, 0.0005);
+    EXPECT_NEAR(control.deltaT(time, 1), 1.2 * 0.0005, 1e-6);  // growth damped
+    EXPECT_EQ(time.deltaT0, 0.0005);
+}
+
+TEST_F(TimeControlTest, ARejectedStepStillMeetsTheWriteTime) {
+    write("endTime 0.2; deltaT 0.01; writeControl adjustable; writeInterval 0.1;");
+    TimeControl control = open();
+    TimeInfo time;
+    std::vector<double> written;
+    while (control.running(time)) {
+        double dt = control.deltaT(time);
+        if (time.index == 4 || time.index == 12) dt /= 4;  // the solver halved it twice
+        time = control.advance(time, dt);
+        if (control.writeDue(time)) written.push_back(time.value);
+    }
+    EXPECT_EQ(written, (std::vector<double>{0.1, 0.2}));
+}
+
+TEST_F(TimeControlTest, RestartTakesTheSameSteps) {
+    write(
+        "endTime 1; deltaT 0.0137; writeControl adjustable; writeInterval 0.1; adjustTimeStep yes; maxCo "
+        "0.3;");
+    auto rate = [](const TimeInfo& t) { return 10 * (1.5 + std::sin(20 * t.value)); };
+    TimeControl whole = open();
+    std::vector<TimeInfo> all{TimeInfo{}};
+    while (whole.running(all.back()))
+        all.push_back(whole.advance(all.back(), whole.deltaT(all.back(), rate(all.back()))));
+    for (std::size_t from = 0; from < all.size(); from += 7) {
+        TimeControl restarted = open();
+        TimeInfo time = all[from];
+        for (std::size_t i = from + 1; i < all.size(); ++i) {
+            time = restarted.advance(time, restarted.deltaT(time, rate(time)));
+            ASSERT_EQ(time.value, all[i].value);
+            ASSERT_EQ(time.deltaT, all[i].deltaT);
+            ASSERT_EQ(restarted.writeDue(time), whole.writeDue(all[i]));
+        }
+        EXPECT_FALSE(restarted.running(time));
+    }
+}
+
+TEST_F(TimeControlTest, StartFrom) {
+    for (const char* name : {"0.1", "0.25"}) writeState(folder_.path() / name, State<2>{});
+    fs::create_directories(folder_.path() / "0.5");  // a broken one is passed over
+    const std::string rest = " endTime 1; deltaT 0.1;";
+    write("startFrom firstTime;" + rest);
+    EXPECT_EQ(open().startName(), "0");
+    write(rest);
+    EXPECT_EQ(open().startName(), "0.25");
+    write("startFrom startTime; startTime 0.1;" + rest);
+    EXPECT_EQ(open().startFolder(), fs::canonical(folder_.path()) / "0.1");
+    write("startFrom startTime; startTime 0.3;" + rest);
+    EXPECT_THROW(open(), UserError);
+    for (const char* name : {"0", "0.1", "0.25"}) fs::remove_all(folder_.path() / name);
+    EXPECT_THROW(open(), UserError);
+}
+
+TEST_F(TimeControlTest, NamesAreKeptApart) {
+    write("endTime 2; deltaT 1e-8; writeControl timeStep; writeInterval 1;");
+    TimeControl control = open();
+    TimeInfo time;
+    time.value = 1;
+    time.index = 5;
+    time.deltaT = 1e-8;
+    const TimeInfo next = control.advance(time, 1e-8);
+    EXPECT_NE(control.name(time), control.name(next));
+    EXPECT_EQ(control.name(next), "1.00000001");
+}
+
+TEST_F(TimeControlTest, PurgeKeepsTheLastAndNeverTheStart) {
+    write("endTime 0.6; deltaT 0.1; writeControl timeStep; writeInterval 1; purgeWrite 2;");
+    TimeControl control = open();
+    writeState(folder_.path() / "0.05", State<2>{});  // of another run
+    TimeInfo time;
+    while (control.running(time)) {
+        time = control.advance(time, control.deltaT(time));
+        writeState(control.folder(time), State<2>{});
+        control.written(time);
+    }
+    std::vector<std::string> names;
+    for (const auto& folder : listTimes(folder_.path()).complete) names.push_back(folder.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"0", "0.05", "0.5", "0.6"}));
+}
+
+TEST_F(TimeControlTest, EditingTheFileStopsTheRun) {
+    const std::string rest =
+        " endTime 100; deltaT 0.1; writeControl timeStep; writeInterval 5; runTimeModifiable yes;";
+    for (const auto& [word, steps, writes] : std::vector<std::tuple<std::string, int, bool>>{
+             {"writeNow", 3, true}, {"noWriteNow", 3, false}, {"nextWrite", 5, true}}) {
+        write("stopAt endTime;" + rest);
+        TimeControl control = open();
+        TimeInfo time;
+        bool written = false;
+        while (control.running(time)) {
+            time = control.advance(time, control.deltaT(time));
+            if (time.index == 3) write("stopAt " + word + ";" + rest);
+            written = control.writeDue(time);
+        }
+        EXPECT_EQ(time.index, steps) << word;
+        EXPECT_EQ(written, writes) << word;
+    }
+}
+
+TEST_F(TimeControlTest, AHalfSavedFileDoesNotKillTheRun) {
+    write("endTime 1; deltaT 0.1;");
+    TimeControl control = open();
+    TimeInfo time = control.advance(TimeInfo{}, 0.1);
+    write("endTime 1; deltaT ");
+    EXPECT_TRUE(control.writeDue(time));
+    EXPECT_EQ(control.controls().deltaT, 0.1);
+    write("endTime 0.3; deltaT 0.05;");
+    control.writeDue(time);
+    EXPECT_EQ(control.controls().endTime, 0.3);
+    EXPECT_EQ(control.deltaT(time), 0.05);
+}
+
+TEST_F(TimeControlTest, SignalWritesAndStops) {
+    write("endTime 1; deltaT 0.1; writeControl none;");
+    TimeControl control = open();
+    catchInterrupts();
+    TimeInfo time = control.advance(TimeInfo{}, 0.1);
+    EXPECT_FALSE(control.writeDue(time));
+    EXPECT_TRUE(control.running(time));
+    raise(SIGTERM);
+    EXPECT_TRUE(control.running(time)) << "the state at hand is not written yet";
+    time = control.advance(time, 0.1);
+    EXPECT_TRUE(control.writeDue(time));
+    EXPECT_FALSE(control.running(time));
+    clearInterrupt();
+    signal(SIGINT, SIG_DFL);
+}
+
+TEST_F(TimeControlTest, Mistakes) {
+    const std::pair<const char*, const char*> mistakes[] = {
+        {"deltaT 0.1;", "endTime"},
+        {"endTime 1;", "deltaT"},
+        {"endTime 1; deltaT 0;", "deltaT"},
+        {"endTime 1; deltaT 0.1; writeControl sometimes;", "adjustableRunTime"},
+        {"endTime 1; deltaT 0.1; writeInterval 0.5;", "whole number"},
+        {"endTime 1; deltaT 0.1; writeInterval -1;", "writeInterval"},
+        {"endTime 1; deltaT 0.1; stopAt never;", "noWriteNow"},
+        {"endTime 1; deltaT 0.1; timePrecision 99;", "timePrecision"},
+    };
+    for (const auto& [text, word] : mistakes) {
+        write(text);
+        try {
+            open();
+            ADD_FAILURE() << text;
+        } catch (const UserError& error) {
+            EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+            EXPECT_NE(error.where().file.find("controlDict"), std::string::npos);
+        }
+    }
+}
+
+}  // namespace pfem

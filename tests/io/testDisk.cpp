@@ -1,0 +1,125 @@
+// A disk that is full, folders that cannot be written.
+#include <signal.h>
+#include <sys/resource.h>
+
+#include <fstream>
+
+#include "base/error.hpp"
+#include "io/atomicFile.hpp"
+#include "io/series.hpp"
+#include "io/stateFiles.hpp"
+#include "io/table.hpp"
+#include "sampleState.hpp"
+
+namespace pfem {
+
+using namespace test;
+namespace fs = std::filesystem;
+
+namespace {
+/// No file may grow beyond `bytes` while this lives: what a full disk looks like to a program.
+class SmallDisk {
+public:
+    explicit SmallDisk(rlim_t bytes) {
+        previousHandler_ = signal(SIGXFSZ, SIG_IGN);
+        getrlimit(RLIMIT_FSIZE, &previous_);
+        const rlimit limit{bytes, previous_.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~SmallDisk() {
+        setrlimit(RLIMIT_FSIZE, &previous_);
+        signal(SIGXFSZ, previousHandler_);
+    }
+
+private:
+    rlimit previous_{};
+    void (*previousHandler_)(int);
+};
+}  // namespace
+
+TEST(FullDisk, StateIsWrittenWhollyOrNotAtAll) {
+    const TemporaryFolder folder;
+    writeState(folder.path() / "1", sampleState());
+    State<2> later = sampleState();
+    later.time.index = 8;
+    for (const rlim_t size : {0u, 100u, 1000u, 2500u, 4000u}) {
+        const SmallDisk disk(size);
+        EXPECT_THROW(writeState(folder.path() / "1", later), UserError) << size;
+        EXPECT_THROW(writeState(folder.path() / "2", later), UserError) << size;
+    }
+    expectIdentical(sampleState(), readState<2>(folder.path() / "1"));
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
+}
+
+TEST(FullDisk, AtomicFileKeepsTheOldContent) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.path() / "text";
+    writeAtomically(file, "old");
+    {
+        const SmallDisk disk(10);
+        EXPECT_THROW(writeAtomically(file, std::string(100000, 'x')), UserError);
+    }
+    EXPECT_EQ(readText(file), "old");
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
+}
+
+TEST(FullDisk, TableReportsIt) {
+    Table table("/dev/full", 6);
+    EXPECT_THROW(table.row({"1", "2"}), UserError);
+}
+
+TEST(NotWritable, NamesTheFolder) {
+    try {
+        writeState("/proc/pfem/1", sampleState());
+        FAIL();
+    } catch (const UserError& error) {
+        EXPECT_NE(std::string(error.what()).find("/proc/pfem/1"), std::string::npos) << error.what();
+    }
+    EXPECT_THROW(writeAtomically("/proc/pfem/x", "text"), UserError);
+    EXPECT_THROW(Table("/proc/pfem/x", 6), UserError);
+}
+
+TEST(Series, ListsTheCompleteFoldersThatExist) {
+    const TemporaryFolder folder;
+    State<2> state = sampleState();
+    for (const auto& [name, value] :
+         std::vector<std::pair<std::string, double>>{{"0", 0}, {"0.05", 0.05}, {"0.1", 0.1}}) {
+        state.time.value = value;
+        writeState(folder.path() / name, state);
+    }
+    fs::create_directories(folder.path() / "0.2");  // incomplete
+    writeSeries(folder.path());
+    const std::string pvd = readText(folder.path() / "case.pvd");
+    EXPECT_NE(
+        pvd.find("<DataSet timestep=\"0.05\" group=\"\" part=\"1\" name=\"solid\" file=\"0.05/solid.vtu\"/>"),
+        std::string::npos)
+        << pvd;
+    EXPECT_EQ(pvd.find("0.2"), std::string::npos);
+    EXPECT_LT(pvd.find("\"0.05/"), pvd.find("\"0.1/"));
+    const std::string series = readText(folder.path() / "fluid.vtu.series");
+    EXPECT_NE(series.find("\"file-series-version\" : \"1.0\""), std::string::npos);
+    EXPECT_NE(series.find("{ \"name\" : \"0.05/fluid.vtu\", \"time\" : 0.05 }"), std::string::npos) << series;
+    fs::remove_all(folder.path() / "0.05");
+    writeSeries(folder.path());
+    EXPECT_EQ(readText(folder.path() / "fluid.vtu.series").find("0.05"), std::string::npos);
+}
+
+TEST(Table, ColumnsOfOpenFoam) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.path() / "postProcessing/probes/0/p";
+    Table table(file, 6);
+    table.comment("Probe 0 (0.05 0.01 0)");
+    table.header({"Probe", "0", "1", "2"});
+    table.header({"Time"});
+    table.row(
+        {table.number(0.0087317), table.number(938.395), table.number(-0.219067), table.number(-1e300)});
+    table.row({table.number(0.1), table.tuple({1, 2.5, 0})});
+    EXPECT_EQ(readText(file),
+              "# Probe 0 (0.05 0.01 0)\n"
+              "#       Probe             0             1             2\n"
+              "#        Time\n"
+              "    0.0087317       938.395     -0.219067       -1e+300\n"
+              "          0.1             (1 2.5 0)\n");
+}
+
+}  // namespace pfem
