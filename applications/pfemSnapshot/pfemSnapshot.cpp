@@ -34,12 +34,12 @@ Value parsed(const Options& options, const std::string& name, const std::string&
     try {
         return Dictionary::parse(name + " " + options.get(name) + ";").get<Value>(name);
     } catch (const UserError&) {
-        throw UserError(fmt::format("-{} needs the form {}, not '{}'", name, form, options.get(name)));
+        throw UserError(fmt::format("-{} needs {}, not '{}'", name, form, options.get(name)));
     }
 }
 
 int wholeNumber(const Options& options, const std::string& name, int defaultValue, int low, int high) {
-    const int value = options.found(name) ? parsed<int>(options, name, "of a whole number") : defaultValue;
+    const int value = options.found(name) ? parsed<int>(options, name, "a whole number") : defaultValue;
     if (value < low || value > high) throw UserError(fmt::format("-{} must be from {} to {}, not {}", name, low, high, value));
     return value;
 }
