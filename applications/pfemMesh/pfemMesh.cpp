@@ -29,7 +29,8 @@ std::vector<std::string> materialNames(const Case& theCase) {
 double meshSizeOption(const Options& options) {
     if (!options.found("h")) return 0;
     const auto h = asNumber(options.get("h"));
-    if (!h || !(*h > 0)) throw UserError("-h " + options.get("h") + ": the mesh size must be a positive number");
+    if (!h || !(*h > 0))
+        throw UserError("-h " + options.get("h") + ": the mesh size must be a positive number");
     return *h;
 }
 
@@ -55,8 +56,8 @@ int run(const Options& options) {
     writeSeries(theCase.root());
 
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    std::cout << fmt::format("\nWritten 0/\nExecutionTime = {:.2f} s  Memory = {:.0f} MB\n\nEnd\n", elapsed.count(),
-                             memoryPeak());
+    std::cout << fmt::format("\nWritten 0/\nExecutionTime = {:.2f} s  Memory = {:.0f} MB\n\nEnd\n",
+                             elapsed.count(), memoryPeak());
     return 0;
 }
 
@@ -64,7 +65,9 @@ int run(const Options& options) {
 
 int main(int argc, char* argv[]) {
     OptionsSpec spec;
-    spec.add("h", "size", "target edge length [m] instead of meshSize at the top of meshDict; "
-                          "bodies and walls with a meshSize of their own keep it");
-    return runApplication(argc, argv, "Mesh the bodies and walls of system/meshDict and write time 0", spec, run);
+    spec.add("h", "size",
+             "target edge length [m] instead of meshSize at the top of meshDict; "
+             "bodies and walls with a meshSize of their own keep it");
+    return runApplication(argc, argv, "Mesh the bodies and walls of system/meshDict and write time 0", spec,
+                          run);
 }

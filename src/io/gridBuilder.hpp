@@ -72,6 +72,7 @@ void addNodes(vtkUnstructuredGrid* grid, const State<Dim>& state, const NodeSet&
     }
     scalars("h", all.h);
     scalars("dropVolume", all.dropVolume);
+    data->AddArray(makeArray<vtkIntArray>("wall", 1, n, [&](int i, int) { return all.wall[at(i)]; }));
     for (const auto& [name, values] : extra.nodal) scalars(name, values);
     for (const auto& [name, values] : extra.nodalFlags)
         data->AddArray(makeArray<vtkUnsignedCharArray>(

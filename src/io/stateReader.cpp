@@ -21,7 +21,8 @@ bool sameBits(const Nodes<Dim>& a, std::size_t i, const Nodes<Dim>& b, std::size
     };
     auto equal = [](double s, double t) { return std::memcmp(&s, &t, sizeof s) == 0; };
     return same(a.x[i], b.x[j]) && same(a.v[i], b.v[j]) && same(a.a[i], b.a[j]) && same(a.X[i], b.X[j]) &&
-           equal(a.p[i], b.p[j]) && equal(a.h[i], b.h[j]) && equal(a.dropVolume[i], b.dropVolume[j]);
+           equal(a.p[i], b.p[j]) && equal(a.h[i], b.h[j]) && equal(a.dropVolume[i], b.dropVolume[j]) &&
+           a.wall[i] == b.wall[j];
 }
 
 /// All parts' nodes by ascending id; the first part that has a node gives its values (solid first: it has
@@ -116,6 +117,11 @@ State<Dim> readState(const std::filesystem::path& folder) {
     state.mesh.solid = simplicesOf(solid, state.nodes, false);
     state.mesh.patches = patchesOf(boundary, state.nodes);
     state.mesh.materials = fluid.materials;
+    int faces = 0;
+    for (const auto& patch : state.mesh.patches) faces += static_cast<int>(patch.faces.size());
+    for (int i = 0; i < state.nodes.size(); ++i)
+        if (state.nodes.wall[i] < -1 || state.nodes.wall[i] >= faces)
+            fluid.fail(fmt::format("node {} slides on wall face {} of {}", state.nodes.id[i], state.nodes.wall[i], faces));
     return state;
 }
 

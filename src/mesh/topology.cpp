@@ -20,34 +20,58 @@ std::set<Face<Dim>> solidFaces(const Mesh<Dim>& mesh, const NodeToCells& around)
     return faces;
 }
 
+/// Do all nodes of the face lie on one wall face, as corners or sliding?
+template <int Dim>
+bool isOnWall(const Topology<Dim>& t, const std::vector<int>& wall, const Face<Dim>& face) {
+    const auto lies = [&](int node, int w) {
+        const auto& corners = t.walls[w].nodes;
+        return wall[node] == w || std::find(corners.begin(), corners.end(), node) != corners.end();
+    };
+    const auto allLie = [&](int w) {
+        return t.walls[w].patch >= 0 &&
+               std::all_of(face.begin(), face.end(), [&](int node) { return lies(node, w); });
+    };
+    for (int node : face)
+        if (wall[node] >= 0) return allLie(wall[node]);
+    for (int w = 0; w < static_cast<int>(t.walls.size()); ++w)  // corners only: rare
+        if (t.corner[face[0]] && allLie(w)) return true;
+    return false;
+}
+
 }  // namespace
 
 template <int Dim>
-Topology<Dim> makeTopology(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, int nNodes) {
+Topology<Dim> makeTopology(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const std::vector<int>& wall) {
+    const int nNodes = static_cast<int>(wall.size());
     Topology<Dim> t;
     t.fluid = nodeToCells<Dim>(mesh.fluid.nodes, nNodes);
     t.solid = nodeToCells<Dim>(mesh.solid.nodes, nNodes);
     t.onSolid.assign(nNodes, 0);
+    t.corner.assign(nNodes, 0);
     t.onWall.assign(nNodes, 0);
     t.freeSurface.assign(nNodes, 0);
-    for (int i = 0; i < nNodes; ++i) t.onSolid[i] = t.solid.count(i) > 0;
+    for (int i = 0; i < nNodes; ++i) {
+        t.onSolid[i] = t.solid.count(i) > 0;
+        t.onWall[i] = wall[i] >= 0;
+    }
 
     std::set<Face<Dim>> symmetryFaces;
     for (std::size_t n = 0; n < mesh.patches.size(); ++n)
         for (const auto& face : mesh.patches[n].faces) {
+            t.walls.push_back({face, isWall(kinds[n]) ? static_cast<int>(n) : -1});
             if (isWall(kinds[n]))
-                for (int node : face) t.onWall[node] = 1;
+                for (int node : face) t.corner[node] = 1;
             if (kinds[n] == PatchKind::symmetry) symmetryFaces.insert(sorted<Dim>(face));
         }
 
     const auto solid = solidFaces<Dim>(mesh, t.solid);
     for (const auto& face : boundaryFaces<Dim>(mesh.fluid.nodes, t.fluid)) {
         const Face<Dim> key = sorted<Dim>(face.nodes);
-        const bool held = std::all_of(key.begin(), key.end(),
-                                      [&](int node) { return t.onWall[node] || t.onSolid[node]; });
         FaceKind kind = FaceKind::freeSurface;
-        if (held) kind = solid.count(key) ? FaceKind::interface : FaceKind::wall;
-        if (symmetryFaces.count(key)) kind = FaceKind::wall;
+        if (solid.count(key))
+            kind = FaceKind::interface;
+        else if (symmetryFaces.count(key) || isOnWall<Dim>(t, wall, face.nodes))
+            kind = FaceKind::wall;
         t.faces.push_back({face, kind});
         if (kind == FaceKind::freeSurface)
             for (int node : face.nodes) t.freeSurface[node] = 1;
@@ -55,7 +79,7 @@ Topology<Dim> makeTopology(const Mesh<Dim>& mesh, const std::vector<PatchKind>& 
     return t;
 }
 
-template Topology<2> makeTopology<2>(const Mesh<2>&, const std::vector<PatchKind>&, int);
-template Topology<3> makeTopology<3>(const Mesh<3>&, const std::vector<PatchKind>&, int);
+template Topology<2> makeTopology<2>(const Mesh<2>&, const std::vector<PatchKind>&, const std::vector<int>&);
+template Topology<3> makeTopology<3>(const Mesh<3>&, const std::vector<PatchKind>&, const std::vector<int>&);
 
 }  // namespace pfem

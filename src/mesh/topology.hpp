@@ -27,25 +27,35 @@ struct FluidFace : BoundaryFace<Dim> {
     FaceKind kind;
 };
 
+/// A face of a rigid wall: a straight piece between two corners (2D). Fluid nodes slide along it.
+template <int Dim>
+struct WallFace {
+    Face<Dim> nodes;  // the corners, fluid on the left
+    int patch = -1;   // -1: the face is not of a wall
+};
+
 template <int Dim>
 struct Topology {
     NodeToCells fluid;  // fluid cells around each node
     NodeToCells solid;  // solid cells around each node
     std::vector<FluidFace<Dim>> faces;
+    std::vector<WallFace<Dim>> walls;        // faces of all patches in their order, as counted by Nodes::wall
     std::vector<unsigned char> onSolid;      // node of a solid body
-    std::vector<unsigned char> onWall;       // node of a rigid wall
+    std::vector<unsigned char> corner;       // corner of a rigid wall
+    std::vector<unsigned char> onWall;       // slides along a rigid wall
     std::vector<unsigned char> freeSurface;  // node of a free-surface face
 
     int nNodes() const { return static_cast<int>(onSolid.size()); }
     bool wet(int node) const { return fluid.count(node) > 0; }
-    bool isolated(int node) const { return !wet(node) && !onSolid[node] && !onWall[node]; }
+    bool isolated(int node) const { return !wet(node) && !onSolid[node] && !corner[node]; }
     bool interface(int node) const { return wet(node) && onSolid[node]; }
+    bool held(int node) const { return onSolid[node] || corner[node]; }  // a place that fluid comes to
 };
 
-/// `kinds`: one per patch of the mesh.
-/// A fluid face is an interface where a solid face coincides, a wall where all its nodes are held by walls,
-/// solids or one symmetry patch, and free surface otherwise. Two free-surface nodes do not make a face.
+/// `kinds`: one per patch of the mesh; `wall`: Nodes::wall.
+/// A fluid face is an interface where a solid face coincides, a wall where all its nodes lie on one wall face or
+/// one symmetry patch, and free surface otherwise. Two free-surface nodes do not make a face.
 template <int Dim>
-Topology<Dim> makeTopology(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, int nNodes);
+Topology<Dim> makeTopology(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const std::vector<int>& wall);
 
 }  // namespace pfem

@@ -34,7 +34,8 @@ void addEdges(const Outline& outline, int index, const std::vector<int>& divisio
         for (int i = 0; i < n; ++i) {
             const double s0 = double(i) / n, s1 = double(i + 1) / n;
             const int b = findOrAdd(vertices, curve.point(s1), tolerance);
-            edges.push_back({a, b, curve.part(s0, s1, vertices[a], vertices[b]), index, e, !divisions.empty()});
+            edges.push_back(
+                {a, b, curve.part(s0, s1, vertices[a], vertices[b]), index, e, !divisions.empty()});
             a = b;
         }
     }
@@ -61,55 +62,6 @@ std::vector<std::pair<double, int>> cuts(const RawEdge& e, const Points<2>& vert
 }
 
 }  // namespace
-
-Location Outline::at(const std::string& keyword) const {
-    auto it = places.find(keyword);
-    if (it == places.end()) it = places.find("");
-    return it == places.end() ? Location{} : it->second;
-}
-
-bool Arrangement::uses(int piece, int outline) const {
-    const auto& all = pieces[piece].uses;
-    return std::any_of(all.begin(), all.end(), [&](const PieceUse& use) { return use.outline == outline; });
-}
-
-int bodyIndex(const MeshDescription& mesh, const std::string& name) {
-    for (std::size_t i = 0; i < mesh.bodies.size(); ++i)
-        if (mesh.bodies[i].name == name) return static_cast<int>(i);
-    return -1;
-}
-
-const Outline& outlineOf(const MeshDescription& mesh, int index) {
-    const int n = static_cast<int>(mesh.bodies.size());
-    if (index < n) return mesh.bodies[index];
-    return mesh.walls[index - n];
-}
-
-Curve edgeCurve(const Outline& outline, int edge) {
-    const int n = static_cast<int>(outline.points.size());
-    const int from = edge, to = (edge + 1) % n;
-    const Vec<2>&a = outline.points[from], &b = outline.points[to];
-    for (const auto& arc : outline.arcs) {
-        const bool same = arc.from == from && arc.to == to;
-        const bool reverse = n > 2 && arc.from == to && arc.to == from;
-        if (!same && !reverse) continue;
-        if (const auto curve = Curve::arc(a, arc.through, b)) return *curve;
-        throw UserError(fmt::format("arc {} {} ({:g} {:g}) of '{}': the three points lie on one line", arc.from,
-                                    arc.to, arc.through.x(), arc.through.y(), outline.name),
-                        outline.at("edges"));
-    }
-    return Curve::line(a, b);
-}
-
-std::array<int, 2> patternCells(const MeshDescription& mesh, const Body& body) {
-    if (body.cells[0] > 0) return body.cells;
-    const double h = body.meshSize > 0 ? body.meshSize : mesh.meshSize;
-    const auto divide = [&](int edge) {
-        const double mean = 0.5 * (edgeCurve(body, edge).length() + edgeCurve(body, edge + 2).length());
-        return std::max(1, static_cast<int>(std::lround(mean / h)));
-    };
-    return {divide(0), divide(1)};
-}
 
 Arrangement arrange(const MeshDescription& mesh, double tolerance) {
     Arrangement result;

@@ -4,8 +4,7 @@
 
 #include <vector>
 
-#include "mesher/curve.hpp"
-#include "mesher/meshDescription.hpp"
+#include "mesher/outline.hpp"
 
 namespace pfem {
 
@@ -36,25 +35,11 @@ struct Arrangement {
     std::vector<std::vector<PieceRef>> chains;  // per outline, in its order
     int nBodies = 0;
 
-    /// Whether body or wall `outline` uses the piece.
-    bool uses(int piece, int outline) const;
     bool isWall(const PieceUse& use) const { return use.outline >= nBodies; }
 };
-
-/// Index of the body called `name`, -1 if there is none.
-int bodyIndex(const MeshDescription& mesh, const std::string& name);
-
-/// The outline of that index: bodies first, then walls.
-const Outline& outlineOf(const MeshDescription& mesh, int index);
 
 /// Points nearer than `tolerance` [m] are one vertex.
 /// Throws UserError: an arc through three points of one line, a vertex between the nodes of a pattern.
 Arrangement arrange(const MeshDescription& mesh, double tolerance);
-
-/// The cells of a structured body along its edges 0-1 and 1-2.
-std::array<int, 2> patternCells(const MeshDescription& mesh, const Body& body);
-
-/// The curve of edge `edge` of `outline`.
-Curve edgeCurve(const Outline& outline, int edge);
 
 }  // namespace pfem

@@ -38,17 +38,20 @@ bool cross(const Points<2>& x, const Chord& c, const Chord& d) {
                                 int p, int q) {
     const auto first = owner(mesh, arrangement, p), second = owner(mesh, arrangement, q);
     const std::string where = fmt::format("near ({:.6g} {:.6g})", at.x(), at.y());
-    if (first == second) throw UserError(fmt::format("The outline of {} crosses itself {}", first, where),
-                                         place(mesh, arrangement, p));
-    throw UserError(fmt::format("The outlines of {} and {} cross {}: bodies must not overlap, and a wall must "
-                                "not cut a body",
-                                first, second, where),
-                    place(mesh, arrangement, std::max(p, q)));
+    if (first == second)
+        throw UserError(fmt::format("The outline of {} crosses itself {}", first, where),
+                        place(mesh, arrangement, p));
+    throw UserError(
+        fmt::format("The outlines of {} and {} cross {}: bodies must not overlap, and a wall must "
+                    "not cut a body",
+                    first, second, where),
+        place(mesh, arrangement, std::max(p, q)));
 }
 
 }  // namespace
 
-void checkBoundary(const MeshDescription& mesh, const Arrangement& arrangement, const BoundaryNodes& boundary) {
+void checkBoundary(const MeshDescription& mesh, const Arrangement& arrangement,
+                   const BoundaryNodes& boundary) {
     const auto& x = boundary.x;
     std::vector<Chord> chords;
     std::vector<std::vector<int>> around(x.size());  // neighbours of each node along the outlines

@@ -12,78 +12,75 @@ namespace {
 
 std::string pointList(Points<2> points) {
     std::string text = "(";
-    for (const auto& x : points) text += fmt::format("{}({:g} {:g})", text.size() > 1 ? " " : "", x.x(), x.y());
+    for (const auto& x : points)
+        text += fmt::format("{}({:g} {:g})", text.size() > 1 ? " " : "", x.x(), x.y());
     return text + ")";
 }
 
-void checkOutline(const Outline& outline, double defaultSize, const char* what, const char* keyword) {
-    const auto n = outline.points.size(), least = std::size_t(outline.closed && outline.arcs.size() < 2 ? 3 : 2);
+void checkOutline(const Outline& outline, const char* what, const char* keyword) {
+    const auto n = outline.points.size(), least = std::size_t(outline.closed && outline.arcs.empty() ? 3 : 2);
     if (n < least)
-        throw UserError(fmt::format("{} '{}' has {} points; at least {} are needed", what, outline.name, n, least),
-                        outline.at(keyword));
+        throw UserError(
+            fmt::format("{} '{}' has {} points; at least {} are needed", what, outline.name, n, least),
+            outline.at(keyword));
     if (outline.meshSize < 0)
-        throw UserError(fmt::format("meshSize of '{}' must be positive, not {:g}", outline.name, outline.meshSize),
-                        outline.at("meshSize"));
-    if (outline.meshSize == 0 && defaultSize == 0)
-        throw UserError(fmt::format("'{}' has no meshSize, and the dictionary has no default one", outline.name),
-                        outline.at());
+        throw UserError(
+            fmt::format("meshSize of '{}' must be positive, not {:g}", outline.name, outline.meshSize),
+            outline.at("meshSize"));
     for (int e = 0; e < outline.nEdges(); ++e)
         if ((outline.points[e] - outline.points[(e + 1) % n]).norm() == 0)
-            throw UserError(fmt::format("Points {} and {} of '{}' are the same", e, (e + 1) % n, outline.name),
-                            outline.at(keyword));
+            throw UserError(
+                fmt::format("Points {} and {} of '{}' are the same", e, (e + 1) % n, outline.name),
+                outline.at(keyword));
     for (const auto& arc : outline.arcs) {
-        const int m = static_cast<int>(n), low = std::min(arc.from, arc.to), high = std::max(arc.from, arc.to);
-        const bool edge = low >= 0 && high < m && (high == low + 1 || (outline.closed && low == 0 && high == m - 1));
+        const int m = static_cast<int>(n), low = std::min(arc.from, arc.to),
+                  high = std::max(arc.from, arc.to);
+        const bool edge =
+            low >= 0 && high < m && (high == low + 1 || (outline.closed && low == 0 && high == m - 1));
         if (!edge)
-            throw UserError(fmt::format("arc {} {}: '{}' has no edge between these points (it has points 0 to {})",
-                                        arc.from, arc.to, outline.name, m - 1),
-                            outline.at("edges"));
+            throw UserError(
+                fmt::format("arc {} {}: '{}' has no edge between these points (it has points 0 to {})",
+                            arc.from, arc.to, outline.name, m - 1),
+                outline.at("edges"));
     }
-}
-
-double signedArea(const Body& body) {
-    double twice = 0;
-    Vec<2> previous = body.points.front();
-    for (int e = 0; e < body.nEdges(); ++e) {
-        const Curve curve = edgeCurve(body, e);
-        const int n = curve.isArc() ? 64 : 1;
-        for (int k = 1; k <= n; ++k) {
-            const Vec<2> x = curve.point(double(k) / n);
-            twice += previous.x() * x.y() - previous.y() * x.x();
-            previous = x;
-        }
-    }
-    return 0.5 * twice;
 }
 
 void checkBody(const MeshDescription& mesh, const Body& body) {
-    const double area = signedArea(body), h = body.meshSize > 0 ? body.meshSize : mesh.meshSize;
+    const double area = outlineArea(body), h = bodySize(mesh, body);
     if (area < 0) {
         Points<2> reversed(body.points.rbegin(), body.points.rend());
-        throw UserError(fmt::format("The vertices of body '{}' run clockwise; write them counter-clockwise:\n{}",
-                                    body.name, pointList(reversed)),
-                        body.at("vertices"));
+        throw UserError(
+            fmt::format("The vertices of body '{}' run clockwise; write them counter-clockwise:\n{}",
+                        body.name, pointList(reversed)),
+            body.at("vertices"));
     }
+    if (!(h > 0))
+        throw UserError(
+            fmt::format("Body '{}' has no meshSize, and the dictionary has no default one", body.name),
+            body.at());
     double perimeter = 0;
     for (int e = 0; e < body.nEdges(); ++e) perimeter += edgeCurve(body, e).length();
     if (h > 4 * area / perimeter)
-        throw UserError(fmt::format("meshSize {:g} is larger than body '{}' (about {:.3g} wide)", h, body.name,
-                                    4 * area / perimeter),
+        throw UserError(fmt::format("meshSize {:g} is larger than body '{}' (about {:.3g} wide)", h,
+                                    body.name, 4 * area / perimeter),
                         body.meshSize > 0 ? body.at("meshSize") : body.at());
     if (body.pattern != Pattern::unstructured && (body.points.size() != 4 || !body.holes.empty()))
-        throw UserError(fmt::format("A structured pattern needs four vertices and no holes; body '{}' has {} vertices",
-                                    body.name, body.points.size()),
-                        body.at("pattern"));
+        throw UserError(
+            fmt::format("A structured pattern needs four vertices and no holes; body '{}' has {} vertices",
+                        body.name, body.points.size()),
+            body.at("pattern"));
     if (body.cells[0] < 0 || body.cells[1] < 0 || (body.cells[0] == 0) != (body.cells[1] == 0))
-        throw UserError(fmt::format("cells of '{}' must be two positive numbers", body.name), body.at("cells"));
+        throw UserError(fmt::format("cells of '{}' must be two positive numbers", body.name),
+                        body.at("cells"));
     const int n = static_cast<int>(body.points.size());
     for (const auto& [name, edges] : body.patches)
         for (const auto& [a, b] : edges)
             if (a < 0 || b < 0 || a >= n || b >= n || ((a + 1) % n != b && (b + 1) % n != a))
-                throw UserError(fmt::format("patch '{}': body '{}' has no edge ({} {}); its edges join the vertices "
-                                            "0 to {} in their order, the last one with the first",
-                                            name, body.name, a, b, n - 1),
-                                body.at("patches"));
+                throw UserError(
+                    fmt::format("patch '{}': body '{}' has no edge ({} {}); its edges join the vertices "
+                                "0 to {} in their order, the last one with the first",
+                                name, body.name, a, b, n - 1),
+                    body.at("patches"));
     for (const auto& hole : body.holes)
         if (bodyIndex(mesh, hole) < 0 || hole == body.name) {
             std::vector<std::string> names;
@@ -99,26 +96,27 @@ void checkDescription(const MeshDescription& mesh) {
     if (mesh.bodies.empty()) throw UserError("There is no body to mesh");
     if (mesh.meshSize < 0) throw UserError(fmt::format("meshSize must be positive, not {:g}", mesh.meshSize));
     for (const auto& body : mesh.bodies) {
-        checkOutline(body, mesh.meshSize, "Body", "vertices");
+        checkOutline(body, "Body", "vertices");
         checkBody(mesh, body);
     }
     std::set<std::string> names;
     for (const auto& wall : mesh.walls) {
-        checkOutline(wall, 1.0, "Wall", "points");
+        checkOutline(wall, "Wall", "points");
         names.insert(wall.name);
     }
     for (const auto& body : mesh.bodies)
         for (const auto& [name, edges] : body.patches)
             if (names.count(name))
-                throw UserError(fmt::format("patch '{}' of body '{}' has the name of a wall", name, body.name),
-                                body.at("patches"));
+                throw UserError(
+                    fmt::format("patch '{}' of body '{}' has the name of a wall", name, body.name),
+                    body.at("patches"));
 }
 
 void checkCount(const MeshDescription& mesh) {
     double total = 0;
     for (const auto& body : mesh.bodies) {
-        const double h = body.meshSize > 0 ? body.meshSize : mesh.meshSize;
-        double count = signedArea(body) / (std::sqrt(3.0) / 4 * h * h);
+        const double h = bodySize(mesh, body);
+        double count = outlineArea(body) / (std::sqrt(3.0) / 4 * h * h);
         if (body.pattern != Pattern::unstructured && body.cells[0] > 0)
             count = (body.pattern == Pattern::crossed ? 4.0 : 2.0) * body.cells[0] * body.cells[1];
         total += count;

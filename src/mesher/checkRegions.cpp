@@ -21,8 +21,8 @@ void checkOverlaps(const MeshDescription& mesh, const std::vector<Region>& regio
             }
             const Region& hole = regions[bodyIndex(mesh, name)];
             if (!outer.contains(hole.x.front()))
-                throw UserError(fmt::format("Body '{}' does not lie inside '{}', whose hole it should fill", name,
-                                            mesh.bodies[i].name),
+                throw UserError(fmt::format("Body '{}' does not lie inside '{}', whose hole it should fill",
+                                            name, mesh.bodies[i].name),
                                 mesh.bodies[i].at("holes"));
         }
         const Vec<2> probe = regions[i].probe();
@@ -38,14 +38,16 @@ void checkOverlaps(const MeshDescription& mesh, const std::vector<Region>& regio
 }
 
 [[noreturn]] void wrongSide(const Body& body, const Wall& wall) {
-    throw UserError(fmt::format("Fluid body '{}' lies on the right of wall '{}'. A wall has its fluid on the left of "
-                                "its direction: reverse the order of its points.",
-                                body.name, wall.name),
-                    wall.at("points"));
+    throw UserError(
+        fmt::format("Fluid body '{}' lies on the right of wall '{}'. A wall has its fluid on the left of "
+                    "its direction: reverse the order of its points.",
+                    body.name, wall.name),
+        wall.at("points"));
 }
 
 /// What a wall shares with bodies, piece by piece.
-void checkShared(const MeshDescription& mesh, const Arrangement& arrangement, std::vector<std::string>& warnings) {
+void checkShared(const MeshDescription& mesh, const Arrangement& arrangement,
+                 std::vector<std::string>& warnings) {
     for (const auto& piece : arrangement.pieces) {
         for (const auto& wallUse : piece.uses) {
             if (!arrangement.isWall(wallUse)) continue;
@@ -63,19 +65,22 @@ void checkShared(const MeshDescription& mesh, const Arrangement& arrangement, st
                     ++nFluid;
                     if (use.forward != wallUse.forward && nFluid == 1) wrongSide(body, wall);
                 } else if (use.forward != wallUse.forward) {
-                    warnings.push_back(fmt::format("wall '{}' runs along the outside of solid '{}': no wall there",
-                                                   wall.name, body.name));
+                    warnings.push_back(
+                        fmt::format("wall '{}' runs along the outside of solid '{}': no wall there",
+                                    wall.name, body.name));
                 }
             }
             if (nFluid > 1)
-                throw UserError(fmt::format("Wall '{}' has fluid on both sides: a wall needs a thickness", wall.name),
-                                wall.at("points"));
+                throw UserError(
+                    fmt::format("Wall '{}' has fluid on both sides: a wall needs a thickness", wall.name),
+                    wall.at("points"));
         }
     }
 }
 
 /// Node nearest to, but not on, the wall must see the wall's left side.
-void checkSide(const Body& body, const Wall& wall, const std::vector<int>& chain, const Points<2>& x, double tolerance) {
+void checkSide(const Body& body, const Wall& wall, const std::vector<int>& chain, const Points<2>& x,
+               double tolerance) {
     double best = std::numeric_limits<double>::max();
     double side = 1;
     const int n = static_cast<int>(chain.size()), last = wall.closed ? n : n - 1;
@@ -125,11 +130,11 @@ std::vector<std::string> checkRegions(const MeshDescription& mesh, const Arrange
             for (const auto& ref : arrangement.chains[outline]) {
                 const auto& piece = arrangement.pieces[ref.piece];
                 if (piece.uses.size() == 1 && regions[b].contains(piece.curve.point(0.5)))
-                    throw UserError(fmt::format("Wall '{}' lies inside body '{}'", wall.name, mesh.bodies[b].name),
-                                    wall.at("points"));
+                    throw UserError(
+                        fmt::format("Wall '{}' lies inside body '{}'", wall.name, mesh.bodies[b].name),
+                        wall.at("points"));
             }
-            if (regions[b].fluid)
-                checkSide(mesh.bodies[b], wall, chain, boundary.x, 1e-3 * regions[b].h);
+            if (regions[b].fluid) checkSide(mesh.bodies[b], wall, chain, boundary.x, 1e-3 * regions[b].h);
         }
     }
     return warnings;

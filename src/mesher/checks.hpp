@@ -12,7 +12,8 @@ void checkDescription(const MeshDescription& mesh);
 void checkCount(const MeshDescription& mesh);
 
 /// Outlines that cross, or come closer than a tenth of the size without touching.
-void checkBoundary(const MeshDescription& mesh, const Arrangement& arrangement, const BoundaryNodes& boundary);
+void checkBoundary(const MeshDescription& mesh, const Arrangement& arrangement,
+                   const BoundaryNodes& boundary);
 
 /// Bodies inside each other, walls inside bodies, fluid on the right of a wall.
 /// Returns warnings.

@@ -10,7 +10,9 @@ namespace {
 
 constexpr double twoPi = 2 * std::numbers::pi;
 
-double angleOf(const Vec<2>& d) { return std::atan2(d.y(), d.x()); }
+double angleOf(const Vec<2>& d) {
+    return std::atan2(d.y(), d.x());
+}
 
 /// angle modulo 2 pi, in [0, 2 pi)
 double positive(double angle) {
@@ -53,7 +55,9 @@ Vec<2> Curve::point(double s) const {
     return centre_ + radius_ * Vec<2>(std::cos(angle), std::sin(angle));
 }
 
-double Curve::length() const { return isArc() ? radius_ * std::abs(sweep_) : (b_ - a_).norm(); }
+double Curve::length() const {
+    return isArc() ? radius_ * std::abs(sweep_) : (b_ - a_).norm();
+}
 
 std::optional<double> Curve::parameterOf(const Vec<2>& x, double tolerance) const {
     if ((x - a_).norm() <= tolerance) return 0.0;

@@ -39,9 +39,9 @@ std::vector<int> hilbertOrder(const Points<2>& points) {
     keyed.reserve(points.size());
     for (const auto& x : points) {
         const Vec<2> cell = scale * (x - low);
-        keyed.emplace_back(hilbertIndex(static_cast<std::uint32_t>(cell.x()),
-                                        static_cast<std::uint32_t>(cell.y()), bits),
-                           static_cast<int>(keyed.size()));
+        keyed.emplace_back(
+            hilbertIndex(static_cast<std::uint32_t>(cell.x()), static_cast<std::uint32_t>(cell.y()), bits),
+            static_cast<int>(keyed.size()));
     }
     std::sort(keyed.begin(), keyed.end());
     std::vector<int> order;

@@ -21,11 +21,11 @@ struct ArcEdge {
 /// A chain of vertices joined by straight edges or arcs: the outline of a body or the line of a wall.
 struct Outline {
     std::string name;
-    Points<2> points;                          // [m]
+    Points<2> points;  // [m]
     std::vector<ArcEdge> arcs;
-    bool closed = true;                        // the last vertex is joined to the first
-    double meshSize = 0;                       // target edge length [m]; 0: the default of the dictionary
-    std::map<std::string, Location> places;    // keyword -> where it stands, for error messages
+    bool closed = true;                      // the last vertex is joined to the first
+    double meshSize = 0;                     // target edge length [m]; 0: the default of the dictionary
+    std::map<std::string, Location> places;  // keyword -> where it stands, for error messages
 
     /// Where `keyword` was written; the outline's own place ("") when it was not.
     Location at(const std::string& keyword = "") const;
@@ -41,10 +41,10 @@ enum class Pattern { unstructured, checkerboard, oneWay, crossed };
 struct Body : Outline {
     BodyType type = BodyType::fluid;
     std::string material;
-    Vec<2> velocity = Vec<2>::Zero();          // initial [m/s]
+    Vec<2> velocity = Vec<2>::Zero();  // initial [m/s]
     Pattern pattern = Pattern::unstructured;
-    std::array<int, 2> cells = {0, 0};         // along edges 0-1 and 1-2; 0: from meshSize
-    std::vector<std::string> holes;            // bodies whose outlines are cut out of this one
+    std::array<int, 2> cells = {0, 0};  // along edges 0-1 and 1-2; 0: from meshSize
+    std::vector<std::string> holes;     // bodies whose outlines are cut out of this one
     std::map<std::string, std::vector<std::array<int, 2>>> patches;  // name -> edges as pairs of vertices
 };
 

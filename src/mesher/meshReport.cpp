@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesher/outline.hpp"
+
 namespace pfem {
 
 TriangleQuality triangleQuality(const Nodes<2>& nodes, const Cells<2>& cells, int first, int last) {
@@ -55,44 +57,50 @@ std::vector<int> wallTriangles(const State<2>& state) {
 
 std::string meshReport(const MeshDescription& description, const MeshResult& result) {
     const auto& state = result.state;
-    std::string text = fmt::format("{:<16s} {:<6s} {:<12s} {:>9s} {:>12s} {:>10s} {:>6s} {:>6s}   {}\n", "body", "type",
-                                   "material", "triangles", "area [m2]", "size [m]", "min", "mean",
-                                   "edge/size: min median max");
+    std::string text = fmt::format("{:<16s} {:<6s} {:<12s} {:>9s} {:>12s} {:>10s} {:>6s} {:>6s}   {}\n",
+                                   "body", "type", "material", "triangles", "area [m2]", "size [m]", "min",
+                                   "mean", "edge/size: min median max");
     std::string warnings;
     for (const auto& warning : result.warnings) warnings += "--> PFEM Warning: " + warning + "\n";
     for (std::size_t b = 0; b < description.bodies.size(); ++b) {
         const Body& body = description.bodies[b];
         const bool fluid = body.type == BodyType::fluid;
         const auto& meshed = result.bodies[b];
-        const auto q = triangleQuality(state.nodes, fluid ? state.mesh.fluid : state.mesh.solid, meshed.first, meshed.last);
-        const double h = body.meshSize > 0 ? body.meshSize : description.meshSize;
-        text += fmt::format("{:<16s} {:<6s} {:<12s} {:>9d} {:>12.6g} {:>10g} {:>6.1f} {:>6.1f}   {:.2f} {:.2f} {:.2f}\n",
-                            body.name, fluid ? "fluid" : "solid", body.material, q.count, q.area, h, q.minAngle,
-                            q.meanMinAngle, q.shortest, q.median, q.longest);
+        const auto q = triangleQuality(state.nodes, fluid ? state.mesh.fluid : state.mesh.solid, meshed.first,
+                                       meshed.last);
+        const double h = bodySize(description, body);
+        text += fmt::format(
+            "{:<16s} {:<6s} {:<12s} {:>9d} {:>12.6g} {:>10g} {:>6.1f} {:>6.1f}   {:.2f} {:.2f} {:.2f}\n",
+            body.name, fluid ? "fluid" : "solid", body.material, q.count, q.area, h, q.minAngle,
+            q.meanMinAngle, q.shortest, q.median, q.longest);
         if (q.minAngle < 20)
-            warnings += fmt::format("--> PFEM Warning: '{}' has an angle of {:.1f} degrees near ({:g} {:g})\n", body.name,
-                                    q.minAngle, q.worst.x(), q.worst.y());
+            warnings +=
+                fmt::format("--> PFEM Warning: '{}' has an angle of {:.1f} degrees near ({:g} {:g})\n",
+                            body.name, q.minAngle, q.worst.x(), q.worst.y());
         // a slender body's thickness is about twice its area by its perimeter
         const double across = 2 * meshed.area / meshed.perimeter / h;
         if (!fluid && body.pattern == Pattern::unstructured && across < 3)
-            warnings += fmt::format("--> PFEM Warning: solid '{}' has only about {:.1f} triangles across; bending "
-                                    "needs 4\n",
-                                    body.name, across);
+            warnings += fmt::format(
+                "--> PFEM Warning: solid '{}' has only about {:.1f} triangles across; bending "
+                "needs 4\n",
+                body.name, across);
     }
     text += "(min, mean: smallest angle of a triangle in degrees; 60 is perfect)\n\n";
     for (const auto& patch : state.mesh.patches) {
         double length = 0;
         for (const auto& [a, b] : patch.faces) length += (state.nodes.x[a] - state.nodes.x[b]).norm();
-        text += fmt::format("patch {:<16s} {:>7d} faces {:>12.6g} m\n", patch.name, patch.faces.size(), length);
+        text +=
+            fmt::format("patch {:<16s} {:>7d} faces {:>12.6g} m\n", patch.name, patch.faces.size(), length);
         if (patch.faces.empty())
             warnings += fmt::format("--> PFEM Warning: patch '{}' has no face\n", patch.name);
     }
     const auto stuck = wallTriangles(state);
     if (!stuck.empty()) {
         const auto& x = state.nodes.x[state.mesh.fluid.nodes[stuck.front()][0]];
-        warnings += fmt::format("--> PFEM Warning: {} fluid triangles have all nodes on walls, the first near ({:g} "
-                                "{:g}): the channel is too narrow for this meshSize\n",
-                                stuck.size(), x.x(), x.y());
+        warnings += fmt::format(
+            "--> PFEM Warning: {} fluid triangles have all nodes on walls, the first near ({:g} "
+            "{:g}): the channel is too narrow for this meshSize\n",
+            stuck.size(), x.x(), x.y());
     }
     text += fmt::format("nodes {}, fluid triangles {}, solid triangles {}\n", state.nodes.size(),
                         state.mesh.fluid.size(), state.mesh.solid.size());

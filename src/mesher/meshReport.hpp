@@ -10,10 +10,10 @@ namespace pfem {
 /// Quality of some triangles.
 struct TriangleQuality {
     int count = 0;
-    double area = 0;          // [m2]
-    double minAngle = 180;    // [degrees]
-    Vec<2> worst = Vec<2>::Zero();  // a corner of the triangle with that angle
-    double meanMinAngle = 0;  // mean over triangles of the smallest angle; 60 is perfect
+    double area = 0;                               // [m2]
+    double minAngle = 180;                         // [degrees]
+    Vec<2> worst = Vec<2>::Zero();                 // a corner of the triangle with that angle
+    double meanMinAngle = 0;                       // mean over triangles of the smallest angle; 60 is perfect
     double shortest = 0, median = 0, longest = 0;  // edge / wanted size
 };
 

@@ -43,7 +43,7 @@ void addFaces(Patch<2>& patch, const std::vector<int>& nodes, bool forward) {
 
 /// Fill one body and append its points and cells; returns where its cells are.
 MeshedBody addBody(Draft& draft, const MeshDescription& description, int index, Region& region,
-                           const SizeField& size) {
+                   const SizeField& size) {
     const Body& body = description.bodies[index];
     const auto triangles = body.pattern == Pattern::unstructured
                                ? fillUnstructured(region, size)
@@ -146,9 +146,8 @@ MeshResult buildMesh(const MeshDescription& description) {
     checkDescription(description);
     checkCount(description);
 
-    double smallest = description.meshSize > 0 ? description.meshSize : std::numeric_limits<double>::max();
-    for (const auto& body : description.bodies)
-        if (body.meshSize > 0) smallest = std::min(smallest, body.meshSize);
+    double smallest = std::numeric_limits<double>::max();
+    for (const auto& body : description.bodies) smallest = std::min(smallest, bodySize(description, body));
     const Arrangement arrangement = arrange(description, 1e-6 * smallest);
     const SizeField size(description, arrangement);
     const BoundaryNodes boundary = divideBoundary(arrangement, size);
@@ -165,7 +164,8 @@ MeshResult buildMesh(const MeshDescription& description) {
     draft.h = boundary.h;
     draft.v.assign(draft.x.size(), Vec<2>::Zero());
     result.bodies.resize(nBodies);
-    for (const auto type : {BodyType::fluid, BodyType::solid})  // solids last: theirs is the interface's velocity
+    for (const auto type :
+         {BodyType::fluid, BodyType::solid})  // solids last: theirs is the interface's velocity
         for (int b = 0; b < nBodies; ++b)
             if (description.bodies[b].type == type)
                 result.bodies[b] = addBody(draft, description, b, regions[b], size);

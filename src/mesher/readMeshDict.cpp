@@ -59,7 +59,8 @@ Body readBody(const Dictionary& dict, const std::vector<std::string>& materials)
         body.velocity = toPoint(dict, "velocity", dict.get<std::vector<double>>("velocity"));
     const std::vector<std::string> patterns = {"unstructured", "checkerboard", "oneWay", "crossed"};
     const auto pattern = dict.choice("pattern", patterns, "unstructured");
-    body.pattern = static_cast<Pattern>(std::find(patterns.begin(), patterns.end(), pattern) - patterns.begin());
+    body.pattern =
+        static_cast<Pattern>(std::find(patterns.begin(), patterns.end(), pattern) - patterns.begin());
     if (body.pattern != Pattern::unstructured && dict.found("cells")) {
         const auto cells = dict.get<std::vector<int>>("cells");
         if (cells.size() != 2 || cells[0] < 1 || cells[1] < 1)

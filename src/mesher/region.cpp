@@ -49,8 +49,8 @@ void addLoop(Region& region, const std::vector<int>& nodes, const BoundaryNodes&
 }
 
 /// Per edge of the chain: whether a wall shares it.
-void markWalls(Region& region, const std::vector<PieceRef>& chain, bool backward, const Arrangement& arrangement,
-               const BoundaryNodes& boundary) {
+void markWalls(Region& region, const std::vector<PieceRef>& chain, bool backward,
+               const Arrangement& arrangement, const BoundaryNodes& boundary) {
     std::vector<bool> marks;
     for (const auto& ref : chain) {
         const auto& uses = arrangement.pieces[ref.piece].uses;
@@ -69,7 +69,7 @@ Region regionOf(const MeshDescription& mesh, int body, const Arrangement& arrang
     const Body& description = mesh.bodies[body];
     Region region;
     region.fluid = description.type == BodyType::fluid;
-    region.h = description.meshSize > 0 ? description.meshSize : mesh.meshSize;
+    region.h = bodySize(mesh, description);
     addLoop(region, boundary.chain(arrangement, body, true), boundary);
     markWalls(region, arrangement.chains[body], false, arrangement, boundary);
     for (const auto& name : description.holes) {

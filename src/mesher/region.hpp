@@ -22,7 +22,7 @@ struct Region {
     std::vector<bool> onWall;       // per edge: part of a rigid wall
     std::vector<Anchor> anchors;    // of the first inner points: those beside corners
     bool fluid = true;
-    double h = 0;                   // the body's size [m]
+    double h = 0;                           // the body's size [m]
     Vec<2> rowDirection = Vec<2>::UnitX();  // of the lattice: along the longest straight edge
     Vec<2> rowOrigin = Vec<2>::Zero();      // a node on that edge
     double rowSpacing = 0;                  // of the nodes on that edge, were it divided evenly [m]

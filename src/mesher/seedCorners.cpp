@@ -11,7 +11,8 @@ namespace pfem {
 // A corner whose two edges belong to one triangle has no inner edge: between rigid walls that triangle has
 // no free node (no pressure can move it). A point on the bisector, one edge length from the corner, lies
 // inside the circle through the corner and its neighbours, so that Delaunay joins it to the corner.
-// Corners above 150 degrees get two or more triangles by themselves; acute ones keep one, except between walls.
+// Corners above 150 degrees get two or more triangles by themselves; acute ones keep one, except between
+// walls.
 void seedCorners(Region& region) {
     std::vector<int> previous(region.nBoundary, -1), next(region.nBoundary, -1);  // edges
     for (int e = 0; e < static_cast<int>(region.edges.size()); ++e) {

@@ -9,7 +9,8 @@ namespace pfem {
 
 namespace {
 
-/// Calls f(x) for the points inside the region of a hexagonal lattice, `scale` times the body's size, row by row.
+/// Calls f(x) for the points inside the region of a hexagonal lattice, `scale` times the body's size, row by
+/// row.
 template <class F>
 void forLattice(const Region& region, double scale, F&& f) {
     const double h = scale * region.rowSpacing;
@@ -33,8 +34,9 @@ void forLattice(const Region& region, double scale, F&& f) {
     for (const auto& [a, b] : region.edges) {
         Vec<2> p = local(region.x[a]), q = local(region.x[b]);
         if (p.y() > q.y()) std::swap(p, q);
-        // half open, so that a vertex on the row counts once
-        for (long r = std::lround(std::ceil(p.y() / rowHeight)); r * rowHeight < q.y(); ++r) {
+        // half open, by the same comparison for both edges at a vertex, so that a vertex on a row counts once
+        for (long r = std::lround(std::floor(p.y() / rowHeight)); r * rowHeight < q.y(); ++r) {
+            if (r * rowHeight < p.y()) continue;
             const double s = (r * rowHeight - p.y()) / (q.y() - p.y());
             crossings[r - firstRow].push_back(p.x() + s * (q.x() - p.x()));
         }
@@ -56,7 +58,7 @@ namespace {
 
 /// Points not nearer to the boundary than `clearance` times the size.
 void seedAt(Region& region, const SizeField& size, double clearance) {
-    constexpr double spacing = 0.8;   // least distance between points of different lattices / size
+    constexpr double spacing = 0.8;  // least distance between points of different lattices / size
     BinGrid boundary(region.h), points(region.h);
     for (int e = 0; e < static_cast<int>(region.edges.size()); ++e)
         boundary.addSegment(e, region.x[region.edges[e][0]], region.x[region.edges[e][1]]);
@@ -65,7 +67,8 @@ void seedAt(Region& region, const SizeField& size, double clearance) {
 
     const bool graded = size.graded(region.h);
     const double ratio = 1.25;
-    const int levels = graded ? static_cast<int>(std::ceil(std::log(region.h / size.smallest()) / std::log(ratio))) : 0;
+    const int levels =
+        graded ? static_cast<int>(std::ceil(std::log(region.h / size.smallest()) / std::log(ratio))) : 0;
     for (int level = levels; level >= 0; --level) {
         const double h = region.h / std::pow(ratio, level);
         forLattice(region, h / region.h, [&](const Vec<2>& x) {
@@ -73,11 +76,12 @@ void seedAt(Region& region, const SizeField& size, double clearance) {
             if (graded && (s > h * std::sqrt(ratio) || (s <= h / std::sqrt(ratio) && level < levels))) return;
             bool free = true;
             boundary.forEachNear(x, clearance * s, [&](int e) {
-                free = free && segmentDistance(x, region.x[region.edges[e][0]], region.x[region.edges[e][1]]) >=
-                                   clearance * s;
+                free = free && segmentDistance(x, region.x[region.edges[e][0]],
+                                               region.x[region.edges[e][1]]) >= clearance * s;
             });
             if (!free) return;
-            points.forEachNear(x, spacing * s, [&](int i) { free = free && (region.x[i] - x).norm() >= spacing * s; });
+            points.forEachNear(x, spacing * s,
+                               [&](int i) { free = free && (region.x[i] - x).norm() >= spacing * s; });
             if (!free) return;
             points.add(static_cast<int>(region.x.size()), x, x);
             region.x.push_back(x);

@@ -7,19 +7,20 @@
 namespace pfem {
 
 SizeField::SizeField(const MeshDescription& mesh, const Arrangement& arrangement) {
-    for (const auto& body : mesh.bodies) bodySize_.push_back(body.meshSize > 0 ? body.meshSize : mesh.meshSize);
-    const double fallback = mesh.meshSize > 0        ? mesh.meshSize
+    for (const auto& body : mesh.bodies) bodySize_.push_back(bodySize(mesh, body));
+    const double fallback = mesh.meshSize > 0   ? mesh.meshSize
                             : bodySize_.empty() ? 0
                                                 : *std::min_element(bodySize_.begin(), bodySize_.end());
     for (const auto& piece : arrangement.pieces) {
         double h = std::numeric_limits<double>::max();
         for (const auto& use : piece.uses) {
             const bool wall = use.outline >= arrangement.nBodies;
-            const double own = wall ? mesh.walls[use.outline - arrangement.nBodies].meshSize
-                                    : bodySize_[use.outline];
+            const double own =
+                wall ? mesh.walls[use.outline - arrangement.nBodies].meshSize : bodySize_[use.outline];
             if (own > 0) h = std::min(h, own);
         }
         if (h == std::numeric_limits<double>::max()) h = fallback;
+        if (piece.fixed) h = piece.curve.length();
         pieceSize_.push_back(h);
     }
     if (pieceSize_.empty()) return;
@@ -47,9 +48,13 @@ double SizeField::at(const Vec<2>& x, double cap) const {
     return h;
 }
 
-double SizeField::smallest() const { return *std::min_element(pieceSize_.begin(), pieceSize_.end()); }
+double SizeField::smallest() const {
+    return *std::min_element(pieceSize_.begin(), pieceSize_.end());
+}
 
-bool SizeField::graded(double cap) const { return !sources_.empty() && sources_.front().h < cap * (1 - 1e-9); }
+bool SizeField::graded(double cap) const {
+    return !sources_.empty() && sources_.front().h < 0.95 * cap;
+}
 
 namespace {
 

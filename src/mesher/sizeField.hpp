@@ -18,7 +18,7 @@ public:
     double ofBody(int body) const { return bodySize_[body]; }
     double smallest() const;
 
-    /// Whether `at` can give less than `cap` somewhere.
+    /// Whether `at` can give clearly less than `cap` somewhere.
     bool graded(double cap) const;
 
 private:

@@ -59,29 +59,22 @@ BoundaryConditions<Dim> readBoundaryConditions(const Dictionary& dict, const std
 
 template <int Dim>
 NodeConstraints<Dim> nodeConstraints(const Mesh<Dim>& mesh, const BoundaryConditions<Dim>& conditions,
-                                     const Topology<Dim>& topology, const Points<Dim>& X) {
-    const std::size_t n = X.size();
+                                     const Topology<Dim>& topology, const Nodes<Dim>& nodes) {
+    const std::size_t n = nodes.x.size();
     NodeConstraints<Dim> c;
     c.hold.assign(n, Hold::free);
     c.normal.assign(n, Vec<Dim>::Zero());
-    c.slip.assign(n, 0);
 
     NormalCollector<Dim> symmetry(n);
-    NormalCollector<Dim> wall(n);
-    std::vector<unsigned char> clamped(n, 0), slides(n, 0), noSlip(n, 0);
+    std::vector<unsigned char> clamped(n, 0), slides(n, 0);
     for (std::size_t k = 0; k < mesh.patches.size(); ++k)
-        for (const auto& face : mesh.patches[k].faces) {
-            const Vec<Dim> normal = faceArea<Dim>(X, face).normalized();
+        for (const auto& face : mesh.patches[k].faces)
             for (int node : face) {
                 if (conditions.kind[k] == PatchKind::clamped) clamped[node] = 1;
-                if (conditions.kind[k] == PatchKind::noSlipWall) noSlip[node] = 1;
-                if (isWall(conditions.kind[k])) wall.add(node, normal);
-                if (conditions.kind[k] == PatchKind::symmetry) {
-                    slides[node] = 1;
-                    symmetry.add(node, normal);
-                }
+                if (conditions.kind[k] != PatchKind::symmetry) continue;
+                slides[node] = 1;
+                symmetry.add(node, faceArea<Dim>(nodes.X, face).normalized());
             }
-        }
 
     for (std::size_t i = 0; i < n; ++i) {
         const int node = static_cast<int>(i);
@@ -90,43 +83,21 @@ NodeConstraints<Dim> nodeConstraints(const Mesh<Dim>& mesh, const BoundaryCondit
             c.normal[i] = symmetry.normal(node);
         }
         if (topology.onWall[i]) {
-            c.hold[i] = Hold::wall;
-            c.normal[i] = wall.normal(node);
-            c.slip[i] = !noSlip[i] && !wall.isCorner(node);
+            const auto& wall = topology.walls[nodes.wall[i]];
+            const bool sticks = conditions.kind[wall.patch] == PatchKind::noSlipWall && topology.wet(node) &&
+                                !topology.freeSurface[i];
+            c.hold[i] = sticks ? Hold::fixed : Hold::slide;
+            c.normal[i] = faceArea<Dim>(nodes.x, wall.nodes).normalized();
         }
-        if (topology.onSolid[i] && topology.onWall[i]) c.hold[i] = Hold::fixed;
-        if (clamped[i]) c.hold[i] = Hold::fixed;
+        if (clamped[i] || topology.corner[i]) c.hold[i] = Hold::fixed;
     }
     return c;
-}
-
-template <int Dim>
-void setWallVelocities(const NodeConstraints<Dim>& constraints, const Topology<Dim>& topology,
-                       const std::vector<Simplex<Dim>>& fluid, Points<Dim>& v) {
-    const int n = static_cast<int>(v.size());
-    const Points<Dim> old = v;
-    for (int i = 0; i < n; ++i) {
-        if (constraints.hold[i] != Hold::wall) continue;
-        Vec<Dim> mean = Vec<Dim>::Zero();
-        int count = 0;
-        if (constraints.slip[i])
-            for (int s = topology.fluid.start[i]; s < topology.fluid.start[i + 1]; ++s)
-                for (int node : fluid[topology.fluid.cell[s]])
-                    if (constraints.hold[node] != Hold::wall) {
-                        mean += old[node];
-                        ++count;
-                    }
-        if (count > 0) mean /= count;
-        v[i] = mean - constraints.normal[i] * constraints.normal[i].dot(mean);
-    }
 }
 
 #define PFEM_INSTANTIATE(D)                                                                                    \
     template BoundaryConditions<D> readBoundaryConditions<D>(const Dictionary&, const std::vector<Patch<D>>&); \
     template NodeConstraints<D> nodeConstraints<D>(const Mesh<D>&, const BoundaryConditions<D>&,               \
-                                                   const Topology<D>&, const Points<D>&);                      \
-    template void setWallVelocities<D>(const NodeConstraints<D>&, const Topology<D>&,                          \
-                                       const std::vector<Simplex<D>>&, Points<D>&);
+                                                   const Topology<D>&, const Nodes<D>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

@@ -5,6 +5,7 @@
 
 #include "dictionary/dictionary.hpp"
 #include "mesh/topology.hpp"
+#include "state/state.hpp"
 
 namespace pfem {
 
@@ -23,16 +24,14 @@ BoundaryConditions<Dim> readBoundaryConditions(const Dictionary& dict, const std
 /// How a node may move.
 enum class Hold : unsigned char {
     free,
-    fixed,  // clamped
-    slide,  // only perpendicular to its normal
-    wall    // rigid wall: position prescribed; its velocity is the fluid's velocity at the wall
+    fixed,  // clamped, or stuck to a rigid wall
+    slide   // only perpendicular to its normal
 };
 
 template <int Dim>
 struct NodeConstraints {
     std::vector<Hold> hold;
-    std::vector<Vec<Dim>> normal;     // of sliding nodes and of slip-wall nodes; zero at corners
-    std::vector<unsigned char> slip;  // wall nodes on a slip wall away from corners
+    std::vector<Vec<Dim>> normal;  // of sliding nodes
 
     /// The part of u that node i may perform.
     Vec<Dim> project(int i, const Vec<Dim>& u) const {
@@ -42,16 +41,11 @@ struct NodeConstraints {
     }
 };
 
-/// Constraints of all nodes; normals from the reference positions X. A node where two directions meet at more
-/// than 20 degrees is a corner: fixed on symmetry patches, at rest on walls. Solids hold before walls.
+/// Constraints of all nodes. On symmetry patches normals come from the reference positions X; a node where two of
+/// them meet at more than 20 degrees is fixed. A fluid node on a slip wall slides along its wall face; on a no-slip
+/// wall it sticks, except at the contact line, which could not move otherwise. Solids hold before walls.
 template <int Dim>
 NodeConstraints<Dim> nodeConstraints(const Mesh<Dim>& mesh, const BoundaryConditions<Dim>& conditions,
-                                     const Topology<Dim>& topology, const Points<Dim>& X);
-
-/// Slip walls: the wall's fluid moves with the tangential mean of its neighbours off the wall. Sets v of wall
-/// nodes (zero on no-slip walls, at corners and where dry).
-template <int Dim>
-void setWallVelocities(const NodeConstraints<Dim>& constraints, const Topology<Dim>& topology,
-                       const std::vector<Simplex<Dim>>& fluid, Points<Dim>& v);
+                                     const Topology<Dim>& topology, const Nodes<Dim>& nodes);
 
 }  // namespace pfem

@@ -26,7 +26,7 @@ template <int Dim>
 MomentumSystem<Dim>::MomentumSystem(const Problem<Dim>& problem, const MomentumControls& momentum,
                                     const Mesh<Dim>& mesh, const Topology<Dim>& topology,
                                     const NodeConstraints<Dim>& constraints, const Patches<Dim>& fluid,
-                                    std::vector<double> mass, SolidDofs<Dim> dofs, SymmetricMatrix solid,
+                                    const std::vector<double>& mass, SolidDofs<Dim> dofs, SymmetricMatrix solid,
                                     const Newmark& newmark)
     : problem_(problem),
       controls_(momentum),
@@ -35,15 +35,18 @@ MomentumSystem<Dim>::MomentumSystem(const Problem<Dim>& problem, const MomentumC
       fluid_(fluid),
       dofs_(std::move(dofs)),
       solid_(std::move(solid)),
-      diagonal_(mass.size(), 0.0) {
+      moving_(mass.size(), 0),
+      diagonal_(mass.size(), 0.0),
+      massFactor_(newmark.massFactor()) {
     if (dofs_.n > 0) {
         factor_.analyze(solid_);
         factor_.factorize(solid_);
     }
     for (int i = 0; i < topology.nNodes(); ++i) {
         const bool moves = constraints.hold[i] == Hold::free || constraints.hold[i] == Hold::slide;
-        if (topology.wet(i) && !topology.onSolid[i] && moves) diagonal_[i] = newmark.massFactor() * mass[i];
+        moving_[i] = topology.wet(i) && !topology.onSolid[i] && moves;
     }
+    setMass(mass);
     for (const auto& material : problem.materials)
         if (material.kind == MaterialKind::fluid && material.fluid.mu > 0) viscous_ = true;
     if (controls_.theta > 0) {
@@ -55,6 +58,11 @@ MomentumSystem<Dim>::MomentumSystem(const Problem<Dim>& problem, const MomentumC
             bulk_[i] = controls_.theta * rho * std::pow(fluid.volume[i], 2.0 / Dim) / newmark.dt;
         }
     }
+}
+
+template <int Dim>
+void MomentumSystem<Dim>::setMass(const std::vector<double>& mass) {
+    for (std::size_t i = 0; i < mass.size(); ++i) diagonal_[i] = moving_[i] ? massFactor_ * mass[i] : 0.0;
 }
 
 template <int Dim>

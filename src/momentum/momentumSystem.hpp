@@ -15,8 +15,11 @@ public:
     /// The references must outlive the system. `fluid`: patches whose current geometry is used by solve.
     MomentumSystem(const Problem<Dim>& problem, const MomentumControls& momentum, const Mesh<Dim>& mesh,
                    const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,
-                   const Patches<Dim>& fluid, std::vector<double> mass, SolidDofs<Dim> dofs,
+                   const Patches<Dim>& fluid, const std::vector<double>& mass, SolidDofs<Dim> dofs,
                    SymmetricMatrix solid, const Newmark& newmark);
+
+    /// Lumped mass of the fluid's nodes in the current configuration (the solid's factor stays).
+    void setMass(const std::vector<double>& mass);
 
     /// dv of all nodes for the right-hand side -R; zero where a velocity is prescribed and on isolated nodes.
     Points<Dim> solve(const Points<Dim>& residual);
@@ -40,7 +43,9 @@ private:
     SolidDofs<Dim> dofs_;
     SymmetricMatrix solid_;
     Ldlt factor_;
+    std::vector<unsigned char> moving_;   // fluid nodes with unknowns, solids left out
     std::vector<double> diagonal_;        // massFactor * m of moving fluid nodes, 0 elsewhere
+    double massFactor_;
     std::vector<double> bulk_;            // theta rho Omega^{2/Dim}/dt per node, empty without
     bool viscous_ = false;
     int iterations_ = 0;

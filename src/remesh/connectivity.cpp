@@ -101,8 +101,14 @@ private:
             return;
         }
         const bool allHeld = nodes_.held[s[0]] && nodes_.held[s[1]] && nodes_.held[s[2]];
-        if (allHeld || solid_.contains(centre)) return;
+        if (allHeld || isBehindWall(s, centre) || solid_.contains(centre)) return;
         accepted_[e] = isContact(controls_, nodes_, s);
+    }
+
+    /// On the wrong side of the wall that one of its nodes slides along.
+    bool isBehindWall(const Simplex<2>& s, const Vec<2>& centre) const {
+        return std::any_of(s.begin(), s.end(),
+                           [&](int node) { return nodes_.inward[node].dot(centre - nodes_.x[node]) < 0; });
     }
 
     void countCells() {
@@ -114,11 +120,13 @@ private:
 
     bool isFluid(int e) const { return e >= 0 && accepted_[e]; }
 
+    bool isBound(int node) const { return nodes_.held[node] || nodes_.inward[node].squaredNorm() > 0; }
+
     /// A face of the cell that is open to the air.
     bool isAtSurface(int e) const {
         for (int k = 0; k < 3; ++k) {
             const auto face = oppositeFace<2>(t_.cells[e], k);
-            if (!isFluid(t_.neighbours[e][k]) && !(nodes_.held[face[0]] && nodes_.held[face[1]])) return true;
+            if (!isFluid(t_.neighbours[e][k]) && !(isBound(face[0]) && isBound(face[1]))) return true;
         }
         return false;
     }

@@ -10,10 +10,11 @@ namespace pfem {
 /// A candidate's nodes with what the rules ask about them; new node indices.
 struct CandidateNodes {
     Points<2> x;
-    Points<2> v;                         // velocity of the NODE: walls at rest
+    Points<2> v;
     std::vector<double> h;
-    std::vector<unsigned char> held;     // on a rigid wall or a solid
+    std::vector<unsigned char> held;     // on a solid or corner of a rigid wall
     std::vector<unsigned char> wet;      // was in a fluid cell before
+    Points<2> inward;                    // of nodes that slide along a wall: its normal into the fluid; else zero
 };
 
 struct Connectivity {
@@ -24,8 +25,8 @@ struct Connectivity {
 };
 
 /// Inside the moved old mesh everything is fluid; from its boundary, triangles with a circumradius above
-/// alphaInside alpha h and slivers are peeled off, and a wall node carried by one triangle is released when the
-/// fluid has come nearer to the other wall node. Outside, a triangle is a new contact and must be small, close
+/// alphaInside alpha h and slivers are peeled off, and a solid's node carried by one triangle is released when the
+/// fluid has come nearer to the other solid node. Outside, a triangle is a new contact and must be small, close
 /// and closing.
 Connectivity selectFluid(const RemeshingControls& controls, const Triangulation<2>& triangulation,
                          const CandidateNodes& nodes, const MovedMesh<2>& moved);

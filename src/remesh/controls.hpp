@@ -17,6 +17,8 @@ struct RemeshingControls {
     double removeDistanceSurface = 0.4;
     double insertDistance = 1.7;
     double wallDistance = 0.05;
+    double landingDistance = 0.1;
+    double wallTension = 1;
     bool keepSurface = true;
     double distortion = 0;
 
@@ -33,8 +35,12 @@ struct RemeshingControls {
         v("removeDistanceSurface", removeDistanceSurface, "-",
           "distance / h at which a free-surface node is removed", nonNegative);
         v("insertDistance", insertDistance, "-", "edge / h above which a node is inserted", positive);
-        v("wallDistance", wallDistance, "-", "distance / h to which a node that crossed a wall is returned",
+        v("wallDistance", wallDistance, "-", "distance / h to which a node that entered a solid is returned",
           positive);
+        v("landingDistance", landingDistance, "-",
+          "distance / h at which a fluid node that approaches a rigid wall lands on it and slides along", nonNegative);
+        v("wallTension", wallTension, "-",
+          "suction / (rho g h) at which the contact line lets go of a rigid wall", nonNegative);
         v("keepSurface", keepSurface, "-",
           "the moved free surface constrains the triangulation: only contacts and breaks change the volume", any);
         v("distortion", distortion, "-",

@@ -15,9 +15,10 @@ template <int Dim>
 MovedMesh<Dim> movedMesh(const State<Dim>& state, const std::vector<PatchKind>& kinds) {
     MovedMesh<Dim> moved;
     moved.x = state.nodes.x;
+    moved.wall = state.nodes.wall;
     moved.fluid = state.mesh.fluid.nodes;
     moved.solid = state.mesh.solid.nodes;
-    moved.topology = makeTopology<Dim>(state.mesh, kinds, state.nodes.size());
+    moved.topology = makeTopology<Dim>(state.mesh, kinds, state.nodes.wall);
     moved.volume = cellVolume<Dim>(moved.x, moved.fluid);
     moved.patchVolume.assign(moved.x.size(), 0.0);
     for (const auto& s : moved.fluid)

@@ -11,6 +11,7 @@ namespace pfem {
 template <int Dim>
 struct MovedMesh {
     Points<Dim> x;
+    std::vector<int> wall;  // as Nodes::wall
     std::vector<Simplex<Dim>> fluid;
     std::vector<Simplex<Dim>> solid;
     Topology<Dim> topology;

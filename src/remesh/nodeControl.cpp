@@ -42,12 +42,15 @@ private:
     }
 
     bool isTooClose(int i) const {
-        const bool surface = moved_.topology.freeSurface[i];
+        const bool slides = moved_.topology.onWall[i];
+        const bool surface = moved_.topology.freeSurface[i] || slides;
         for (int s = ring_.start[i]; s < ring_.start[i + 1]; ++s) {
             const int j = ring_.node[s];
             if (locked_[j] && !kept_[j]) continue;
             const double distance = (moved_.x[i] - moved_.x[j]).norm() / (0.5 * (h_[i] + h_[j]));
-            const bool boundary = moved_.topology.freeSurface[j] || kept_[j];
+            // a node on a wall gives way only to its neighbours along the wall
+            const bool boundary = slides ? moved_.topology.onWall[j] || kept_[j]
+                                         : moved_.topology.freeSurface[j] || moved_.topology.onWall[j] || kept_[j];
             if (surface ? boundary && distance < controls_.removeDistanceSurface
                         : distance < controls_.removeDistance)
                 return true;

@@ -15,9 +15,9 @@ struct NodePlan {
     std::vector<Face<Dim>> surface;
 };
 
-/// Inner fluid nodes nearer than removeDistance h to a neighbour go (free-surface nodes: removeDistanceSurface,
-/// only when the neighbour is a free-surface, wall or solid node); edges longer than insertDistance h are halved.
-/// At most one change per patch. Nodes of walls, solids and symmetry patches stay.
+/// Inner fluid nodes nearer than removeDistance h to a neighbour go (free-surface and wall nodes:
+/// removeDistanceSurface, only when the neighbour is of the boundary, too); edges longer than insertDistance h are
+/// halved. At most one change per patch. Corners of walls and nodes of solids and other patches stay.
 template <int Dim>
 NodePlan<Dim> planNodes(const RemeshingControls& controls, const MovedMesh<Dim>& moved,
                         const std::vector<double>& h, const std::vector<unsigned char>& kept);

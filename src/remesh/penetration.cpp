@@ -53,15 +53,6 @@ private:
     std::vector<std::vector<int>> bins_;
 };
 
-double cross(const Vec<2>& a, const Vec<2>& b) { return a[0] * b[1] - a[1] * b[0]; }
-
-/// Do the segments a-b and c-d cross?
-bool crosses(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c, const Vec<2>& d) {
-    const double s1 = cross(b - a, c - a), s2 = cross(b - a, d - a);
-    const double s3 = cross(d - c, a - c), s4 = cross(d - c, b - c);
-    return s1 * s2 <= 0 && s3 * s4 <= 0 && (s3 != 0 || s4 != 0);
-}
-
 /// Put the node off the face on the side of n and stop its motion against n.
 void putBack(const Points<2>& x, const Points<2>& v, const Edge& face, const Vec<2>& n, double distance, Vec<2>& xi,
              Vec<2>& vi) {
@@ -76,53 +67,35 @@ void putBack(const Points<2>& x, const Points<2>& v, const Edge& face, const Vec
 }  // namespace
 
 template <>
-int returnPenetrating<2>(const Topology<2>& topology, const std::vector<PatchKind>& kinds, const Points<2>& xOld,
-                         double distance, State<2>& state) {
+int returnPenetrating<2>(const Topology<2>& topology, double distance, State<2>& state) {
+    if (state.mesh.solid.nodes.empty()) return 0;
     Nodes<2>& nodes = state.nodes;
-    std::vector<Edge> walls, solidFaces;
-    for (std::size_t k = 0; k < kinds.size(); ++k)
-        if (isWall(kinds[k]))
-            walls.insert(walls.end(), state.mesh.patches[k].faces.begin(), state.mesh.patches[k].faces.end());
-    for (const auto& face : boundaryFaces<2>(state.mesh.solid.nodes, topology.solid)) solidFaces.push_back(face.nodes);
-
+    std::vector<Edge> faces;
+    for (const auto& face : boundaryFaces<2>(state.mesh.solid.nodes, topology.solid)) faces.push_back(face.nodes);
     double hMax = 0;
     for (double h : nodes.h) hMax = std::max(hMax, h);
-    Points<2> wallVelocity(nodes.x.size(), Vec<2>::Zero());
-    const FaceBins wallBins(nodes.x, walls, 2 * hMax);
-    const FaceBins solidBins(nodes.x, solidFaces, 2 * hMax);
+    const FaceBins bins(nodes.x, faces, 2 * hMax);
     const Locator<2> solid(nodes.x, state.mesh.solid.nodes);
 
     const double before = cellVolume<2>(nodes.x, state.mesh.fluid.nodes);
     int count = 0;
     for (int i = 0; i < nodes.size(); ++i) {
-        if (topology.onSolid[i] || topology.onWall[i]) continue;
-        bool moved = false;
-        for (int f : wallBins.near(nodes.x[i])) {
-            const Vec<2> a = nodes.x[walls[f][0]], b = nodes.x[walls[f][1]];
-            if (!crosses(xOld[i], nodes.x[i], a, b)) continue;
-            const Vec<2> n = -faceArea<2>(nodes.x, walls[f]).normalized();  // fluid on the left
-            putBack(nodes.x, wallVelocity, walls[f], n, distance * nodes.h[i], nodes.x[i], nodes.v[i]);
-            moved = true;
-        }
-        if (solid.contains(nodes.x[i])) {
-            int nearest = -1;
-            double best = std::numeric_limits<double>::max();
-            for (int f : solidBins.near(nodes.x[i])) {
-                const Vec<2> a = nodes.x[solidFaces[f][0]], t = nodes.x[solidFaces[f][1]] - a;
-                const double s = std::clamp((nodes.x[i] - a).dot(t) / t.squaredNorm(), 0.0, 1.0);
-                const double d = (nodes.x[i] - a - s * t).norm();
-                if (d < best) {
-                    best = d;
-                    nearest = f;
-                }
-            }
-            if (nearest >= 0) {
-                const Vec<2> n = faceArea<2>(nodes.x, solidFaces[nearest]).normalized();  // out of the solid
-                putBack(nodes.x, nodes.v, solidFaces[nearest], n, distance * nodes.h[i], nodes.x[i], nodes.v[i]);
-                moved = true;
+        if (topology.held(i) || !solid.contains(nodes.x[i])) continue;
+        int nearest = -1;
+        double best = std::numeric_limits<double>::max();
+        for (int f : bins.near(nodes.x[i])) {
+            const Vec<2> a = nodes.x[faces[f][0]], t = nodes.x[faces[f][1]] - a;
+            const double s = std::clamp((nodes.x[i] - a).dot(t) / t.squaredNorm(), 0.0, 1.0);
+            const double d = (nodes.x[i] - a - s * t).norm();
+            if (d < best) {
+                best = d;
+                nearest = f;
             }
         }
-        count += moved;
+        if (nearest < 0) continue;
+        const Vec<2> n = faceArea<2>(nodes.x, faces[nearest]).normalized();  // out of the solid
+        putBack(nodes.x, nodes.v, faces[nearest], n, distance * nodes.h[i], nodes.x[i], nodes.v[i]);
+        ++count;
     }
     state.ledger["returned"] += cellVolume<2>(nodes.x, state.mesh.fluid.nodes) - before;
     return count;

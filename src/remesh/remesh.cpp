@@ -1,5 +1,6 @@
 #include "remesh/remesh.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 #include "mesh/simplex.hpp"
@@ -10,20 +11,35 @@ namespace pfem {
 
 namespace {
 
-/// Nodes that never go: of walls, solids and every other patch.
+/// Nodes that never go: of solids and of every patch (corners of walls).
 template <int Dim>
 std::vector<unsigned char> keptNodes(const State<Dim>& state, const Topology<Dim>& topology) {
     std::vector<unsigned char> kept(state.nodes.size(), 0);
-    for (int i = 0; i < state.nodes.size(); ++i) kept[i] = topology.onSolid[i] || topology.onWall[i];
+    for (int i = 0; i < state.nodes.size(); ++i) kept[i] = topology.onSolid[i];
     for (const auto& patch : state.mesh.patches)
         for (const auto& face : patch.faces)
             for (int node : face) kept[node] = 1;
     return kept;
 }
 
-/// Midpoint of an edge with the mean of its ends.
+/// The wall face that both nodes lie on, or -1.
 template <int Dim>
-void insertNode(const Nodes<Dim>& old, int i, int j, State<Dim>& state) {
+int commonWall(const Topology<Dim>& topology, const std::vector<int>& wall, int i, int j) {
+    const auto lies = [&](int node, int w) {
+        const auto& corners = topology.walls[w].nodes;
+        return wall[node] == w || std::find(corners.begin(), corners.end(), node) != corners.end();
+    };
+    for (int w : {wall[i], wall[j]})
+        if (w >= 0 && lies(i, w) && lies(j, w)) return w;
+    if (wall[i] < 0 && wall[j] < 0 && topology.corner[i] && topology.corner[j])
+        for (int w = 0; w < static_cast<int>(topology.walls.size()); ++w)
+            if (topology.walls[w].patch >= 0 && lies(i, w) && lies(j, w)) return w;
+    return -1;
+}
+
+/// Midpoint of an edge with the mean of its ends; on a wall when the edge lies on it.
+template <int Dim>
+void insertNode(const Nodes<Dim>& old, int i, int j, int wall, State<Dim>& state) {
     Nodes<Dim>& nodes = state.nodes;
     nodes.append(old, i);
     nodes.id.back() = state.nextId++;
@@ -35,11 +51,12 @@ void insertNode(const Nodes<Dim>& old, int i, int j, State<Dim>& state) {
     nodes.X.back() = nodes.x.back();
     nodes.h.back() = 0.5 * (old.h[i] + old.h[j]);
     nodes.dropVolume.back() = 0;
+    nodes.wall.back() = wall;
 }
 
 /// Carry the plan out; returns the new index of each old node (-1 removed), inserted nodes after them.
 template <int Dim>
-std::vector<int> carryOut(const NodePlan<Dim>& plan, State<Dim>& state) {
+std::vector<int> carryOut(const NodePlan<Dim>& plan, const MovedMesh<Dim>& moved, State<Dim>& state) {
     const Nodes<Dim> old = state.nodes;
     std::vector<int> newIndex(old.size() + plan.inserted.size(), -1);
     state.nodes = Nodes<Dim>();
@@ -50,7 +67,8 @@ std::vector<int> carryOut(const NodePlan<Dim>& plan, State<Dim>& state) {
     }
     for (std::size_t k = 0; k < plan.inserted.size(); ++k) {
         newIndex[old.size() + k] = state.nodes.size();
-        insertNode(old, plan.inserted[k][0], plan.inserted[k][1], state);
+        const auto [a, b] = plan.inserted[k];
+        insertNode(old, a, b, commonWall<Dim>(moved.topology, moved.wall, a, b), state);
     }
     for (auto& s : state.mesh.solid.nodes)
         for (int& node : s) node = newIndex[node];
@@ -60,15 +78,39 @@ std::vector<int> carryOut(const NodePlan<Dim>& plan, State<Dim>& state) {
     return newIndex;
 }
 
+/// A wall face with the nodes that slide along it, in their order from one corner to the other.
+void addWallChain(const State<2>& state, const Face<2>& corners, const std::vector<int>& sliding,
+                  std::vector<Face<2>>& faces) {
+    const Vec<2> start = state.nodes.x[corners[0]];
+    const Vec<2> t = state.nodes.x[corners[1]] - start;
+    std::vector<std::pair<double, int>> order;
+    for (int node : sliding) order.emplace_back((state.nodes.x[node] - start).dot(t), node);
+    std::sort(order.begin(), order.end());
+    int last = corners[0];
+    for (const auto& [s, node] : order) {
+        faces.push_back({last, node});
+        last = node;
+    }
+    faces.push_back({last, corners[1]});
+}
+
 /// Faces of walls, solids and symmetry planes: no fluid triangle may cross them.
 template <int Dim>
 std::vector<Face<Dim>> fixedFaces(const State<Dim>& state, const std::vector<PatchKind>& kinds) {
     std::vector<Face<Dim>> fixed;
     const auto aroundSolid = nodeToCells<Dim>(state.mesh.solid.nodes, state.nodes.size());
     for (const auto& face : boundaryFaces<Dim>(state.mesh.solid.nodes, aroundSolid)) fixed.push_back(face.nodes);
+    std::vector<std::vector<int>> sliding;
+    for (const auto& patch : state.mesh.patches) sliding.resize(sliding.size() + patch.faces.size());
+    for (int i = 0; i < state.nodes.size(); ++i)
+        if (state.nodes.wall[i] >= 0) sliding[state.nodes.wall[i]].push_back(i);
+    std::size_t w = 0;
     for (std::size_t k = 0; k < state.mesh.patches.size(); ++k)
-        if (isWall(kinds[k]) || kinds[k] == PatchKind::symmetry)
-            for (const auto& face : state.mesh.patches[k].faces) fixed.push_back(face);
+        for (const auto& face : state.mesh.patches[k].faces) {
+            if (isWall(kinds[k])) addWallChain(state, face, sliding[w], fixed);
+            if (kinds[k] == PatchKind::symmetry) fixed.push_back(face);
+            ++w;
+        }
     return fixed;
 }
 
@@ -91,11 +133,16 @@ CandidateNodes candidateNodes(const State<2>& state, const MovedMesh<2>& moved, 
     c.h = state.nodes.h;
     c.held.assign(n, 0);
     c.wet.assign(n, 1);  // inserted nodes are inside the fluid
+    c.inward.assign(n, Vec<2>::Zero());
     for (std::size_t i = 0; i < moved.x.size(); ++i) {
         if (newIndex[i] < 0) continue;
-        c.held[newIndex[i]] = moved.topology.onSolid[i] || moved.topology.onWall[i];
+        c.held[newIndex[i]] = moved.topology.held(static_cast<int>(i));
         c.wet[newIndex[i]] = moved.topology.wet(static_cast<int>(i));
-        if (moved.topology.onWall[i] && !moved.topology.onSolid[i]) c.v[newIndex[i]].setZero();
+    }
+    for (int i = 0; i < n; ++i) {
+        if (state.nodes.wall[i] < 0) continue;
+        const auto& face = moved.topology.walls[state.nodes.wall[i]].nodes;
+        c.inward[i] = -faceArea<2>(moved.x, face).normalized();  // fluid on the left
     }
     return c;
 }
@@ -117,7 +164,7 @@ std::vector<int> activeNodes(const State<2>& state) {
 /// A node that has lost its last triangle carries its patch's volume; one that has found one gives it back.
 void updateDrops(const MovedMesh<2>& moved, const std::vector<int>& newIndex, const std::vector<PatchKind>& kinds,
                  State<2>& state) {
-    const auto topology = makeTopology<2>(state.mesh, kinds, state.nodes.size());
+    const auto topology = makeTopology<2>(state.mesh, kinds, state.nodes.wall);
     double change = 0;
     for (std::size_t i = 0; i < moved.x.size(); ++i) {
         if (newIndex[i] < 0) continue;  // removed nodes were wet: they carried nothing
@@ -142,7 +189,7 @@ RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKi
     const MovedMesh<Dim> moved = movedMesh<Dim>(state, kinds);
     const auto plan = planNodes<Dim>(controls, moved, state.nodes.h, keptNodes<Dim>(state, moved.topology));
     const int material = state.mesh.fluid.material.empty() ? 0 : state.mesh.fluid.material[0];
-    const auto newIndex = carryOut<Dim>(plan, state);
+    const auto newIndex = carryOut<Dim>(plan, moved, state);
 
     const auto triangulation = constrainedDelaunay(
         state.nodes.x, activeNodes(state), fixedFaces<Dim>(state, kinds), surfaceFaces<Dim>(controls, plan, newIndex));

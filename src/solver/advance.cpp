@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "remesh/penetration.hpp"
+#include "remesh/wallContact.hpp"
 
 namespace pfem {
 
@@ -20,6 +21,23 @@ double volumeCorrection(const State<Dim>& state, double time) {
     double change = 0;
     for (const auto& [cause, amount] : state.ledger) change += amount;
     return volume > 0 ? -change / (volume * time) : 0;
+}
+
+/// Velocities and accelerations that the constraints allow.
+template <int Dim>
+void obeyConstraints(const NodeConstraints<Dim>& constraints, Nodes<Dim>& nodes) {
+    for (int i = 0; i < nodes.size(); ++i) {
+        nodes.v[i] = constraints.project(i, nodes.v[i]);
+        nodes.a[i] = constraints.project(i, nodes.a[i]);
+    }
+}
+
+template <int Dim>
+double fluidDensity(const Problem<Dim>& problem) {
+    double rho = 0;
+    for (const auto& material : problem.materials)
+        if (material.kind == MaterialKind::fluid) rho = std::max(rho, material.fluid.rho);
+    return rho;
 }
 
 /// The step with its repetitions.
@@ -64,9 +82,10 @@ AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Sta
     AdvanceReport report;
     const double start = now();
     const auto& kinds = problem.conditions.kind;
-    const auto topology = makeTopology<Dim>(state.mesh, kinds, state.nodes.size());
-    const auto constraints = nodeConstraints<Dim>(state.mesh, problem.conditions, topology, state.nodes.X);
-    setWallVelocities<Dim>(constraints, topology, state.mesh.fluid.nodes, state.nodes.v);
+    const auto topology = makeTopology<Dim>(state.mesh, kinds, state.nodes.wall);
+    releaseFromWalls<Dim>(controls.remeshing, topology, problem.gravity, fluidDensity<Dim>(problem), state.nodes);
+    const auto constraints = nodeConstraints<Dim>(state.mesh, problem.conditions, topology, state.nodes);
+    obeyConstraints<Dim>(constraints, state.nodes);
 
     const double volume = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes);
     const double divTarget = volumeCorrection<Dim>(state, controls.continuity.volumeCorrectionTime);
@@ -81,7 +100,8 @@ AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Sta
     state.ledger["solver"] += moved - volume - correction;
     report.seconds[0] = now() - start;
 
-    report.returned = returnPenetrating<Dim>(topology, kinds, xOld, controls.remeshing.wallDistance, state);
+    landOnWalls<Dim>(controls.remeshing, topology, xOld, state);
+    report.returned = returnPenetrating<Dim>(topology, controls.remeshing.wallDistance, state);
     report.mesh = remesh<Dim>(controls.remeshing, kinds, state);
     report.seconds[1] = now() - start - report.seconds[0];
     return report;
@@ -89,9 +109,9 @@ AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Sta
 
 template <int Dim>
 void startConsistently(const Problem<Dim>& problem, const Controls& controls, State<Dim>& state, double dt) {
-    const auto topology = makeTopology<Dim>(state.mesh, problem.conditions.kind, state.nodes.size());
-    const auto constraints = nodeConstraints<Dim>(state.mesh, problem.conditions, topology, state.nodes.X);
-    setWallVelocities<Dim>(constraints, topology, state.mesh.fluid.nodes, state.nodes.v);
+    const auto topology = makeTopology<Dim>(state.mesh, problem.conditions.kind, state.nodes.wall);
+    const auto constraints = nodeConstraints<Dim>(state.mesh, problem.conditions, topology, state.nodes);
+    obeyConstraints<Dim>(constraints, state.nodes);
     state.nodes =
         consistentStart<Dim>(problem, controls, state.mesh, topology, constraints, state.nodes, dt);
 }

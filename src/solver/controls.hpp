@@ -13,7 +13,8 @@ struct ConvergenceControls {
     double tolP = 1e-4;
     int minIterations = 2;
     int maxIterations = 30;
-    int maxHalvings = 3;
+    int refactorEvery = 8;
+    int maxHalvings = 8;
     double deltaTMin = 1e-9;
 
     template <class Visitor>
@@ -22,6 +23,8 @@ struct ConvergenceControls {
         v("tolP", tolP, "-", "relative change of pressure at which the iteration stops", positive);
         v("minIterations", minIterations, "-", "iterations that every step makes at least", atLeast(1));
         v("maxIterations", maxIterations, "-", "iterations after which the step is rejected", atLeast(1));
+        v("refactorEvery", refactorEvery, "-",
+          "iterations after which the pressure matrix is made anew in the current configuration", atLeast(1));
         v("maxHalvings", maxHalvings, "-", "halvings of one step before the run stops", atLeast(0));
         v("deltaTMin", deltaTMin, "s", "smallest step before the run stops", positive);
     }

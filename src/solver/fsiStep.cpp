@@ -26,20 +26,21 @@ Points<Dim> midpoint(const Points<Dim>& a, const Points<Dim>& b) {
     return m;
 }
 
-/// Positions and accelerations that follow from the trial velocities (22). Wall nodes stay; isolated particles
-/// are in ballistic flight.
+/// Positions and accelerations that follow from the trial velocities (22). Isolated particles are in ballistic flight
+/// or slide down their wall.
 template <int Dim>
 void moveNodes(const Newmark& newmark, const NodeConstraints<Dim>& constraints, const Topology<Dim>& topology,
                const Vec<Dim>& gravity, const Nodes<Dim>& old, Nodes<Dim>& trial) {
     const double dt = newmark.dt;
     for (int i = 0; i < old.size(); ++i) {
-        if (constraints.hold[i] == Hold::wall || constraints.hold[i] == Hold::fixed) continue;
+        if (constraints.hold[i] == Hold::fixed) continue;
+        const Vec<Dim> fall = constraints.project(i, gravity);
         if (topology.isolated(i)) {
-            trial.v[i] = old.v[i] + dt * gravity;
+            trial.v[i] = old.v[i] + dt * fall;
             trial.p[i] = 0;
         }
         trial.x[i] = newmark.position<Dim>(old.x[i], old.v[i], trial.v[i]);
-        trial.a[i] = topology.isolated(i) ? gravity : newmark.acceleration<Dim>(old.v[i], trial.v[i], old.a[i]);
+        trial.a[i] = topology.isolated(i) ? fall : newmark.acceleration<Dim>(old.v[i], trial.v[i], old.a[i]);
     }
 }
 
@@ -107,7 +108,7 @@ StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, c
     MomentumSystem<Dim> momentum(problem, controls.momentum, mesh, topology, constraints, fluid, mass,
                                  std::move(dofs), std::move(solidA), newmark);
     const auto tau = stabilisation<Dim>(problem, mesh.fluid, fluid, old.v, dt);
-    const ContinuitySystem<Dim> continuity(problem, controls.continuity, mesh.fluid, topology, constraints, fluid, tau,
+    ContinuitySystem<Dim> continuity(problem, controls.continuity, mesh.fluid, topology, constraints, fluid, tau,
                                            old.x, momentum.solidDofs(), momentum.solidMatrix(), newmark);
 
     Convergence convergence(controls.convergence, problem.gravity.norm() * dt,
@@ -131,6 +132,7 @@ StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, c
             fluidStress<Dim>(problem, mesh.fluid, fluid, trial.v, trial.p), solid,
             solidElementStress<Dim>(problem, controls.solid, mesh.solid, solid, trial),
             tractionForce<Dim>(mesh, problem.conditions, trial.x));
+        momentum.setMass(mass);
         const auto dv = momentum.solve(R_m);
         for (int i = 0; i < trial.size(); ++i) trial.v[i] += dv[i];
         moveNodes<Dim>(newmark, constraints, topology, problem.gravity, old, trial);
@@ -139,6 +141,9 @@ StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, c
         updatePatches<Dim>(fluid, trial.x);
         const auto R_c = continuityResidual<Dim>(problem, controls.continuity, mesh.fluid, topology, fluid, tau,
                                                  trial, old.p, dt, divTarget);
+        if (report.iterations > 0 && report.iterations % controls.convergence.refactorEvery == 0)
+            continuity = ContinuitySystem<Dim>(problem, controls.continuity, mesh.fluid, topology, constraints, fluid,
+                                               tau, trial.x, momentum.solidDofs(), momentum.solidMatrix(), newmark);
         dp = continuity.solve(R_c);
         for (int i = 0; i < trial.size(); ++i) trial.p[i] += dp[i];
 

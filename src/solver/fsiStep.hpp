@@ -21,7 +21,7 @@ struct StepResult {
 };
 
 /// From state n to n+1 over dt. `divTarget`: wanted divergence of the fluid [1/s], 0 without volume correction.
-/// The velocities of wall nodes in `old` are kept (setWallVelocities comes first).
+/// The velocities in `old` obey the constraints.
 /// Throws StepFailure when the step cannot be accepted; `old` is untouched.
 template <int Dim>
 StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, const Mesh<Dim>& mesh,

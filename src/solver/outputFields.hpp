@@ -11,7 +11,7 @@ template <int Dim>
 ExtraFields outputFields(const Problem<Dim>& problem, const State<Dim>& state) {
     ExtraFields extra;
     extra.nodalFlags["freeSurface"] =
-        makeTopology<Dim>(state.mesh, problem.conditions.kind, state.nodes.size()).freeSurface;
+        makeTopology<Dim>(state.mesh, problem.conditions.kind, state.nodes.wall).freeSurface;
     return extra;
 }
 

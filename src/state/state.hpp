@@ -22,6 +22,7 @@ struct Nodes {
     Points<Dim> X;                    // reference position; D = x - X [m]
     std::vector<double> h;            // wanted distance to the neighbours [m]
     std::vector<double> dropVolume;   // volume carried by an isolated particle [m2 (2D), m3]
+    std::vector<int> wall;            // the wall face along which the node slides (counted over all patches) or -1
 
     int size() const { return static_cast<int>(id.size()); }
     void resize(int n);
@@ -59,6 +60,7 @@ void Nodes<Dim>::resize(int n) {
     X.resize(m, Vec<Dim>::Zero());
     h.resize(m, 0.0);
     dropVolume.resize(m, 0.0);
+    wall.resize(m, -1);
 }
 
 template <int Dim>
@@ -72,6 +74,7 @@ void Nodes<Dim>::append(const Nodes& other, int i) {
     X.push_back(other.X[i]);
     h.push_back(other.h[i]);
     dropVolume.push_back(other.dropVolume[i]);
+    wall.push_back(other.wall[i]);
 }
 
 }  // namespace pfem

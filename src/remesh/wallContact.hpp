@@ -1,0 +1,23 @@
+#pragma once
+// Fluid nodes come to rigid walls, slide along them and leave them.
+
+#include "remesh/controls.hpp"
+#include "mesh/topology.hpp"
+#include "state/state.hpp"
+
+namespace pfem {
+
+/// A fluid node whose path from xOld crossed a wall face, or that approaches one within landingDistance h, is put on
+/// it: from now on it slides. A sliding node that has passed the end of its face stays at the end, or is free again
+/// where the wall turns away. The volume's change is added to state.ledger["landed"].
+template <int Dim>
+void landOnWalls(const RemeshingControls& controls, const Topology<Dim>& topology, const Points<Dim>& xOld,
+                 State<Dim>& state);
+
+/// A sliding node at the contact line with a suction above wallTension rho g h, or an isolated one that gravity pulls
+/// off, is free again.
+template <int Dim>
+void releaseFromWalls(const RemeshingControls& controls, const Topology<Dim>& topology, const Vec<Dim>& gravity,
+                      double rho, Nodes<Dim>& nodes);
+
+}  // namespace pfem
