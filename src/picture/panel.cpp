@@ -16,13 +16,21 @@ constexpr Colour solidOutline{60, 40, 25};
 constexpr Colour wallColour{70, 70, 70};
 constexpr Colour meshColour{40, 40, 40};
 
-bool has(Region region, Region place) { return region == Region::both || region == place; }
+bool has(Region region, Region place) {
+    return region == Region::both || region == place;
+}
 
 /// Draws the parts of one state; places are turned to pixels here.
 class Painter {
 public:
-    Painter(Canvas& canvas, const Box& box, const Window& window, const State<2>& state, const PanelStyle& style)
-        : canvas_(canvas), box_(box), low_(window.low), scale_(box.width() / window.size()[0]), state_(state), style_(style) {}
+    Painter(Canvas& canvas, const Box& box, const Window& window, const State<2>& state,
+            const PanelStyle& style)
+        : canvas_(canvas),
+          box_(box),
+          low_(window.low),
+          scale_(box.width() / window.size()[0]),
+          state_(state),
+          style_(style) {}
 
     void cells(const Cells<2>& cells, Region region, Colour plain) {
         const bool coloured = has(style_.field->region, region);
@@ -40,13 +48,15 @@ public:
     }
 
     void outline(const Cells<2>& cells) {
-        for (const auto& face : boundaryFaces<2>(cells.nodes, nodeToCells<2>(cells.nodes, state_.nodes.size())))
+        for (const auto& face :
+             boundaryFaces<2>(cells.nodes, nodeToCells<2>(cells.nodes, state_.nodes.size())))
             canvas_.line(place(face.nodes[0]), place(face.nodes[1]), 1.5 * style_.pen, solidOutline);
     }
 
     void walls() {
         for (const auto& patch : state_.mesh.patches)
-            for (const auto& face : patch.faces) canvas_.line(place(face[0]), place(face[1]), 2 * style_.pen, wallColour);
+            for (const auto& face : patch.faces)
+                canvas_.line(place(face[0]), place(face[1]), 2 * style_.pen, wallColour);
     }
 
     void drops() {
@@ -54,7 +64,8 @@ public:
             const double volume = state_.nodes.dropVolume[i];
             if (volume <= 0) continue;
             const double radius = std::max(0.9 * style_.pen, scale_ * std::sqrt(volume / 3.141592653589793));
-            canvas_.disc(place(i), radius, has(style_.field->region, Region::fluid) ? style_.colourOf(value(i)) : plainFluid);
+            canvas_.disc(place(i), radius,
+                         has(style_.field->region, Region::fluid) ? style_.colourOf(value(i)) : plainFluid);
         }
     }
 
@@ -83,7 +94,8 @@ void forCellNodes(const State<2>& state, Region region, const Function& function
 
 }  // namespace
 
-void drawPanel(Canvas& canvas, const Box& box, const Window& window, const State<2>& state, const PanelStyle& style) {
+void drawPanel(Canvas& canvas, const Box& box, const Window& window, const State<2>& state,
+               const PanelStyle& style) {
     const double rim = style.pen;  // lines on the edge of the window keep their thickness
     canvas.clip({box.left - rim, box.top, box.right + rim, box.bottom + rim});
     Painter painter(canvas, box, window, state, style);
