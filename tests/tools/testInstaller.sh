@@ -17,7 +17,7 @@ program() { # name; its text from stdin
 mkdir "$work/bin"
 for name in sh tr env mkdir echo id; do ln -s "$(command -v $name)" "$work/bin/$name"; done
 run() {
-    (PATH="$work/bin" sh "$project/etc/installDependencies" "$@") > "$work/out" 2>&1
+    (PATH="$work/bin" sh "$project/etc/installDependencies") > "$work/out" 2>&1
 }
 
 run
