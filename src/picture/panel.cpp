@@ -12,7 +12,7 @@ namespace {
 
 constexpr Colour plainFluid{176, 209, 236};
 constexpr Colour plainSolid{236, 196, 148};
-constexpr Colour solidOutline{60, 40, 25};
+constexpr Colour solidOutline{205, 85, 10};  // stands out from all colour maps and from white
 constexpr Colour wallColour{70, 70, 70};
 constexpr Colour meshColour{40, 40, 40};
 
