@@ -6,6 +6,7 @@
 
 #include "mesher/checks.hpp"
 #include "mesher/hilbertOrder.hpp"
+#include "mesher/wallLines.hpp"
 
 namespace pfem {
 
@@ -177,6 +178,9 @@ MeshResult buildMesh(const MeshDescription& description) {
         std::sort(cells.nodes.begin() + result.bodies[b].first, cells.nodes.begin() + result.bodies[b].last);
     }
     result.state = toState(std::move(draft));
+    std::vector<std::string> walls;
+    for (const auto& wall : description.walls) walls.push_back(wall.name);
+    straightenWalls(walls, result.state);
     return result;
 }
 

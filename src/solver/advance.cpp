@@ -83,7 +83,6 @@ AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Sta
     const double start = now();
     const auto& kinds = problem.conditions.kind;
     const auto topology = makeTopology<Dim>(state.mesh, kinds, state.nodes.wall);
-    releaseFromWalls<Dim>(controls.remeshing, topology, problem.gravity, fluidDensity<Dim>(problem), state.nodes);
     const auto constraints = nodeConstraints<Dim>(state.mesh, problem.conditions, topology, state.nodes);
     obeyConstraints<Dim>(constraints, state.nodes);
 
@@ -100,6 +99,7 @@ AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Sta
     state.ledger["solver"] += moved - volume - correction;
     report.seconds[0] = now() - start;
 
+    releaseFromWalls<Dim>(controls.remeshing, topology, problem.gravity, fluidDensity<Dim>(problem), state.nodes);
     landOnWalls<Dim>(controls.remeshing, topology, xOld, state);
     report.returned = returnPenetrating<Dim>(topology, controls.remeshing.wallDistance, state);
     report.mesh = remesh<Dim>(controls.remeshing, kinds, state);

@@ -1,0 +1,96 @@
+#include "mesher/wallLines.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace pfem {
+
+namespace {
+
+/// How often a node is used by solids and patches, and its neighbours along one wall.
+struct WallWalker {
+    std::map<int, int> next, previous;
+
+    explicit WallWalker(const Patch<2>& patch) {
+        for (const auto& [a, b] : patch.faces) {
+            next[a] = b;
+            previous[b] = a;
+        }
+    }
+    bool isBetween(int node) const { return next.count(node) > 0 && previous.count(node) > 0; }
+};
+
+bool isStraight(const Points<2>& x, int a, int b, int c) {
+    const Vec<2> s = (x[b] - x[a]).normalized(), t = (x[c] - x[b]).normalized();
+    return s.dot(t) > 0 && std::abs(s[0] * t[1] - s[1] * t[0]) < 1e-9;
+}
+
+/// Remove the nodes that are not `kept` and renumber all references.
+void dropNodes(const std::vector<char>& kept, State<2>& state) {
+    const Nodes<2> old = std::move(state.nodes);
+    state.nodes = Nodes<2>();
+    std::vector<int> rank(old.id.size(), -1);
+    for (int i = 0; i < old.size(); ++i) {
+        if (!kept[i]) continue;
+        rank[i] = state.nodes.size();
+        state.nodes.append(old, i);
+        state.nodes.id.back() = rank[i];
+    }
+    for (auto* cells : {&state.mesh.fluid, &state.mesh.solid})
+        for (auto& s : cells->nodes)
+            for (int& node : s) node = rank[node];
+    for (auto& patch : state.mesh.patches)
+        for (auto& face : patch.faces)
+            for (int& node : face) node = rank[node];
+    state.nextId = state.nodes.size();
+}
+
+}  // namespace
+
+void straightenWalls(const std::vector<std::string>& walls, State<2>& state) {
+    const int n = state.nodes.size();
+    std::vector<char> wet(n, 0), pinned(n, 0), between(n, 0);
+    for (const auto& s : state.mesh.fluid.nodes)
+        for (int node : s) wet[node] = 1;
+    for (const auto& s : state.mesh.solid.nodes)
+        for (int node : s) pinned[node] = 1;
+    const auto isWallName = [&](const std::string& name) {
+        return std::find(walls.begin(), walls.end(), name) != walls.end();
+    };
+    for (const auto& patch : state.mesh.patches)
+        if (!isWallName(patch.name))
+            for (const auto& face : patch.faces)
+                for (int node : face) pinned[node] = 1;
+
+    int count = 0;
+    for (auto& patch : state.mesh.patches) {
+        if (!isWallName(patch.name)) {
+            count += static_cast<int>(patch.faces.size());
+            continue;
+        }
+        const WallWalker walker(patch);
+        const auto isInner = [&](int node) {
+            return walker.isBetween(node) && !pinned[node] &&
+                   isStraight(state.nodes.x, walker.previous.at(node), node, walker.next.at(node));
+        };
+        std::vector<Face<2>> straight;
+        for (const auto& [a, b] : patch.faces) {
+            if (isInner(a)) continue;  // not the first face of a straight piece
+            int end = b;
+            for (; isInner(end); end = walker.next.at(end)) {
+                between[end] = 1;
+                state.nodes.wall[end] = count + static_cast<int>(straight.size());
+            }
+            straight.push_back({a, end});
+        }
+        patch.faces = straight;
+        count += static_cast<int>(straight.size());
+    }
+
+    std::vector<char> kept(n, 1);
+    for (int i = 0; i < n; ++i)
+        if (between[i] && !wet[i]) kept[i] = 0;
+    dropNodes(kept, state);
+}
+
+}  // namespace pfem
