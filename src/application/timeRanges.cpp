@@ -62,9 +62,12 @@ std::vector<TimeFolder> selectTimes(const Case& theCase, const Options& options)
     }
     if (options.found("noZero")) std::erase_if(times, [](const TimeFolder& time) { return time.value == 0; });
     if (options.found("latestTime") && !times.empty()) times.erase(times.begin(), times.end() - 1);
-    if (times.empty())
-        throw UserError("no times selected: the case \"" + theCase.root().string() + "\" has " +
-                        std::to_string(all.complete.size()) + " complete time folders");
+    if (times.empty()) {
+        const std::size_t n = all.complete.size();
+        throw UserError("no times selected: the case \"" + theCase.root().string() + "\" has " + std::to_string(n) +
+                        " complete time folders" +
+                        (n > 0 ? ", from " + all.complete.front().name + " to " + all.complete.back().name : ""));
+    }
     return times;
 }
 

@@ -15,7 +15,7 @@ struct CellTerms {
 template <int Dim>
 CellTerms<Dim> cellTerms(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
                          const std::vector<double>& tau, double tauFaces, const Nodes<Dim>& trial,
-                         double divTarget) {
+                         const Nodes<Dim>& old, bool inertia, double dt, double divTarget) {
     CellTerms<Dim> t;
     t.rate.resize(cells.nodes.size());
     t.compressibility.resize(cells.nodes.size());
@@ -30,7 +30,7 @@ CellTerms<Dim> cellTerms(const Problem<Dim>& problem, const Cells<Dim>& cells, c
             const int node = cells.nodes[e][k];
             div += trial.v[node].dot(g.gradN[k]);
             gradP += trial.p[node] * g.gradN[k];
-            a += trial.a[node] / (Dim + 1);
+            a += (inertia ? Vec<Dim>((trial.v[node] - old.v[node]) / dt) : trial.a[node]) / (Dim + 1);
         }
         const Newtonian& fluid = problem.fluid(cells.material[e]);
         const double share = g.measure / (Dim + 1);
@@ -57,11 +57,11 @@ template <int Dim>
 std::vector<double> continuityResidual(const Problem<Dim>& problem, const ContinuityControls& controls,
                                        const Cells<Dim>& cells, const Topology<Dim>& topology,
                                        const Patches<Dim>& patches, const std::vector<double>& tau,
-                                       const Nodes<Dim>& trial, const std::vector<double>& pOld, double dt,
+                                       const Nodes<Dim>& trial, const Nodes<Dim>& old, double dt,
                                        double divTarget) {
     const bool inertia = controls.stabilisation == "inertia";
     const double tauFaces = inertia ? 0 : meanOverCells<Dim>(patches, tau);
-    const auto terms = cellTerms<Dim>(problem, cells, patches, tau, tauFaces, trial, divTarget);
+    const auto terms = cellTerms<Dim>(problem, cells, patches, tau, tauFaces, trial, old, inertia, dt, divTarget);
     const NodeToCells& around = topology.fluid;
     std::vector<double> R(trial.size(), 0.0);
 #pragma omp parallel for schedule(static)
@@ -72,7 +72,7 @@ std::vector<double> continuityResidual(const Problem<Dim>& problem, const Contin
             compressibility += terms.compressibility[e];
             R[i] += terms.rate[e] + terms.flux[e].dot(patches.element[e].gradN[around.corner[s]]);
         }
-        R[i] += compressibility * (trial.p[i] - pOld[i]) / dt;
+        R[i] += compressibility * (trial.p[i] - old.p[i]) / dt;
     }
 
     for (const auto& face : topology.faces) {
@@ -101,6 +101,6 @@ std::vector<double> continuityResidual(const Problem<Dim>& problem, const Contin
 template std::vector<double> continuityResidual<2>(const Problem<2>&, const ContinuityControls&,
                                                    const Cells<2>&, const Topology<2>&, const Patches<2>&,
                                                    const std::vector<double>&, const Nodes<2>&,
-                                                   const std::vector<double>&, double, double);
+                                                   const Nodes<2>&, double, double);
 
 }  // namespace pfem

@@ -142,7 +142,7 @@ StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, c
         // patches again: the continuity lives in the updated configuration
         updatePatches<Dim>(fluid, trial.x);
         const auto R_c = continuityResidual<Dim>(problem, controls.continuity, mesh.fluid, topology, fluid, tau,
-                                                 trial, old.p, dt, divTarget);
+                                                 trial, old, dt, divTarget);
         if (report.iterations > 0 && report.iterations % controls.convergence.refactorEvery == 0)
             continuity = ContinuitySystem<Dim>(problem, controls.continuity, mesh.fluid, topology, constraints, fluid,
                                                tau, trial.x, momentum.solidDofs(), momentum.solidMatrix(), newmark);

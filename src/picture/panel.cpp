@@ -1,0 +1,129 @@
+#include "picture/panel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mesh/adjacency.hpp"
+
+namespace pfem {
+
+namespace {
+
+constexpr Colour plainFluid{176, 209, 236};
+constexpr Colour plainSolid{236, 196, 148};
+constexpr Colour solidOutline{205, 85, 10};  // stands out from all colour maps and from white
+constexpr Colour wallColour{70, 70, 70};
+constexpr Colour meshColour{40, 40, 40};
+
+bool has(Region region, Region place) {
+    return region == Region::both || region == place;
+}
+
+/// Draws the parts of one state; places are turned to pixels here.
+class Painter {
+public:
+    Painter(Canvas& canvas, const Box& box, const Window& window, const State<2>& state,
+            const PanelStyle& style)
+        : canvas_(canvas),
+          box_(box),
+          low_(window.low),
+          scale_(box.width() / window.size()[0]),
+          state_(state),
+          style_(style) {}
+
+    void cells(const Cells<2>& cells, Region region, Colour plain) {
+        const bool coloured = has(style_.field->region, region);
+        for (const auto& cell : cells.nodes) {
+            const std::array<Vec<2>, 3> corners{place(cell[0]), place(cell[1]), place(cell[2])};
+            if (coloured)
+                canvas_.triangle(corners, {value(cell[0]), value(cell[1]), value(cell[2])}, style_.colourOf);
+            else
+                canvas_.triangle(corners, plain);
+        }
+        if (!style_.mesh) return;
+        for (const auto& cell : cells.nodes)
+            for (std::size_t i = 0; i < 3; ++i)
+                canvas_.line(place(cell[i]), place(cell[(i + 1) % 3]), 0.4 * style_.pen, meshColour);
+    }
+
+    void outline(const Cells<2>& cells) {
+        for (const auto& face :
+             boundaryFaces<2>(cells.nodes, nodeToCells<2>(cells.nodes, state_.nodes.size())))
+            canvas_.line(place(face.nodes[0]), place(face.nodes[1]), 1.5 * style_.pen, solidOutline);
+    }
+
+    void walls() {
+        for (const auto& patch : state_.mesh.patches)
+            for (const auto& face : patch.faces)
+                canvas_.line(place(face[0]), place(face[1]), 2 * style_.pen, wallColour);
+    }
+
+    void drops() {
+        for (int i = 0; i < state_.nodes.size(); ++i) {
+            const double volume = state_.nodes.dropVolume[i];
+            if (volume <= 0) continue;
+            const double radius = std::max(0.9 * style_.pen, scale_ * std::sqrt(volume / 3.141592653589793));
+            canvas_.disc(place(i), radius,
+                         has(style_.field->region, Region::fluid) ? style_.colourOf(value(i)) : plainFluid);
+        }
+    }
+
+private:
+    Vec<2> place(int node) const {
+        const Vec<2> metres = state_.nodes.x[node] - low_;
+        return {box_.left + scale_ * metres[0], box_.bottom - scale_ * metres[1]};
+    }
+    double value(int node) const { return style_.field->value(state_.nodes, node); }
+
+    Canvas& canvas_;
+    Box box_;
+    Vec<2> low_;
+    double scale_;  // pixels per metre
+    const State<2>& state_;
+    const PanelStyle& style_;
+};
+
+template <class Function>
+void forCellNodes(const State<2>& state, Region region, const Function& function) {
+    if (has(region, Region::fluid))
+        for (const auto& cell : state.mesh.fluid.nodes) std::for_each(cell.begin(), cell.end(), function);
+    if (has(region, Region::solid))
+        for (const auto& cell : state.mesh.solid.nodes) std::for_each(cell.begin(), cell.end(), function);
+}
+
+}  // namespace
+
+void drawPanel(Canvas& canvas, const Box& box, const Window& window, const State<2>& state,
+               const PanelStyle& style) {
+    const double rim = style.pen;  // lines on the edge of the window keep their thickness
+    canvas.clip({box.left - rim, box.top, box.right + rim, box.bottom + rim});
+    Painter painter(canvas, box, window, state, style);
+    painter.cells(state.mesh.fluid, Region::fluid, plainFluid);
+    painter.drops();
+    painter.walls();
+    painter.cells(state.mesh.solid, Region::solid, plainSolid);
+    painter.outline(state.mesh.solid);
+    canvas.noClip();
+}
+
+Window windowOf(const State<2>& state) {
+    constexpr double huge = std::numeric_limits<double>::max();
+    Window window{Vec<2>::Constant(huge), Vec<2>::Constant(-huge)};
+    forCellNodes(state, Region::both, [&](int i) {
+        window.low = window.low.cwiseMin(state.nodes.x[i]);
+        window.high = window.high.cwiseMax(state.nodes.x[i]);
+    });
+    return window;
+}
+
+ValueRange rangeOf(const State<2>& state, const PictureField& field) {
+    ValueRange range{std::numeric_limits<double>::max(), -std::numeric_limits<double>::max()};
+    forCellNodes(state, field.region, [&](int i) {
+        const double value = field.value(state.nodes, i);
+        range = {std::min(range.low, value), std::max(range.high, value)};
+    });
+    return range;
+}
+
+}  // namespace pfem

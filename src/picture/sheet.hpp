@@ -1,0 +1,25 @@
+#pragma once
+// Several times side by side in one picture, with time labels and a colour bar.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "picture/panel.hpp"
+
+namespace pfem {
+
+struct SheetOptions {
+    std::string field = "p";
+    std::string colours = "viridis";
+    std::optional<ValueRange> range;  // default: of all states
+    std::optional<Window> window;     // default: of all states, with a margin
+    int columns = 3;
+    int width = 1600;  // [pixels]
+    bool mesh = false;
+};
+
+/// The panels in reading order. Throws UserError when there is nothing to draw or the options make no sense.
+Image drawSheet(const std::vector<State<2>>& states, const SheetOptions& options);
+
+}  // namespace pfem

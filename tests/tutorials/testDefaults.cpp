@@ -1,0 +1,48 @@
+// system/pfemSolution of the first tutorial teaches the defaults: what it says must be what the code does.
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "case/case.hpp"
+#include "solver/setup.hpp"
+
+using namespace pfem;
+
+namespace {
+
+using Values = std::map<std::string, std::string>;
+
+template <class Part>
+void collect(const std::string& name, Part part, Values& values) {
+    entriesDetail::Describer describer;
+    part.entries(describer);
+    for (const auto& row : describer.rows) values[name + "." + row.name] = row.defaultValue;
+}
+
+Values valuesOf(const Controls& controls) {
+    Values values;
+    collect("timeIntegration", controls.timeIntegration, values);
+    collect("convergence", controls.convergence, values);
+    collect("momentum", controls.momentum, values);
+    collect("continuity", controls.continuity, values);
+    collect("solid", controls.solid, values);
+    collect("remeshing", controls.remeshing, values);
+    return values;
+}
+
+TEST(Tutorials, pfemSolutionHoldsTheDefaults) {
+    const Case theCase(std::string(PFEM_SOURCE_DIR) + "/tutorials/damBreakElasticWall");
+    const Values defaults = valuesOf(Controls{}), read = valuesOf(readControls(theCase));
+    for (const auto& [key, value] : defaults) EXPECT_EQ(read.at(key), value) << key;
+    EXPECT_TRUE(Dictionary::read(theCase.system("pfemSolution")).isDict("remeshing"));
+}
+
+TEST(Tutorials, pfemSolutionHasNoUnknownEntry) {
+    const Case theCase(std::string(PFEM_SOURCE_DIR) + "/tutorials/damBreakElasticWall");
+    testing::internal::CaptureStderr();
+    readControls(theCase);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+}  // namespace
