@@ -47,7 +47,7 @@ struct Coupled {
         trial.p = p;
         trial.v = v;
         return continuityResidual<2>(problem, {}, c.state.mesh.fluid, topology, fluid, stabilisationTime, trial,
-                                     std::vector<double>(n, 0.0), newmark.dt, 0);
+                                     c.state.nodes, newmark.dt, 0);
     }
     Points<2> still() const { return Points<2>(n, Vec<2>::Zero()); }
 };
