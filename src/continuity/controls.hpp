@@ -9,12 +9,12 @@ namespace pfem {
 
 /// Sub-dictionary `continuity`.
 struct ContinuityControls {
-    double schurScale = 1;
-    double complianceScale = 2;
-    double freeSurfaceScale = 4;
+    double schurScale = 0.3;
+    double complianceScale = 1;
+    double freeSurfaceScale = 2;
     double freeSurfaceWeight = 1;
     std::string freeSurfacePressure = "weak";
-    std::string stabilisation = "bodyForce";
+    std::string stabilisation = "inertia";
     bool interfaceAcceleration = true;
     double volumeCorrectionTime = 0.05;
 
@@ -29,10 +29,11 @@ struct ContinuityControls {
         v("freeSurfacePressure", freeSurfacePressure, "-", "how p = 0 is imposed at the free surface",
           oneOf({"weak", "strong"}));
         v("stabilisation", stabilisation, "-",
-          "bodyForce: grad p - rho g with accelerations on faces; inertia: the full residual grad p - rho (g - a)",
-          oneOf({"bodyForce", "inertia"}));
+          "inertia: the full residual grad p - rho (g - dv/dt); bodyForce: grad p - rho g with accelerations on faces "
+          "(the paper; then schurScale 1, freeSurfaceScale 4 and complianceScale 2 converge best)",
+          oneOf({"inertia", "bodyForce"}));
         v("interfaceAcceleration", interfaceAcceleration, "-",
-          "moving solids and walls enter the stabilisation with their normal acceleration", any);
+          "with bodyForce: moving solids enter the stabilisation with their normal acceleration", any);
         v("volumeCorrectionTime", volumeCorrectionTime, "s",
           "time scale of the correction that returns the fluid's volume to its initial value; 0 = none",
           nonNegative);

@@ -14,8 +14,8 @@ struct CellTerms {
 
 template <int Dim>
 CellTerms<Dim> cellTerms(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
-                         const std::vector<double>& tau, const Nodes<Dim>& trial, bool inertia,
-                         double divTarget) {
+                         const std::vector<double>& tau, double tauFaces, const Nodes<Dim>& trial,
+                         const Nodes<Dim>& old, bool inertia, double dt, double divTarget) {
     CellTerms<Dim> t;
     t.rate.resize(cells.nodes.size());
     t.compressibility.resize(cells.nodes.size());
@@ -25,20 +25,30 @@ CellTerms<Dim> cellTerms(const Problem<Dim>& problem, const Cells<Dim>& cells, c
         const auto& g = patches.element[e];
         double div = 0;
         Vec<Dim> gradP = Vec<Dim>::Zero();
-        Vec<Dim> force = problem.gravity;
+        Vec<Dim> a = Vec<Dim>::Zero();
         for (int k = 0; k <= Dim; ++k) {
             const int node = cells.nodes[e][k];
             div += trial.v[node].dot(g.gradN[k]);
             gradP += trial.p[node] * g.gradN[k];
-            if (inertia) force -= trial.a[node] / (Dim + 1);
+            a += (inertia ? Vec<Dim>((trial.v[node] - old.v[node]) / dt) : trial.a[node]) / (Dim + 1);
         }
         const Newtonian& fluid = problem.fluid(cells.material[e]);
         const double share = g.measure / (Dim + 1);
         t.rate[e] = share * (div - divTarget);
         t.compressibility[e] = share / fluid.kappa;
-        t.flux[e] = tau[e] * g.measure * (gradP - fluid.rho * force);
+        t.flux[e] = g.measure * (tau[e] * (gradP - fluid.rho * problem.gravity) + (tau[e] - tauFaces) * fluid.rho * a);
     }
     return t;
+}
+
+template <int Dim>
+double meanOverCells(const Patches<Dim>& patches, const std::vector<double>& value) {
+    double sum = 0, volume = 0;
+    for (int e = 0; e < patches.nCells(); ++e) {
+        sum += patches.element[e].measure * value[e];
+        volume += patches.element[e].measure;
+    }
+    return volume > 0 ? sum / volume : 0;
 }
 
 }  // namespace
@@ -47,10 +57,11 @@ template <int Dim>
 std::vector<double> continuityResidual(const Problem<Dim>& problem, const ContinuityControls& controls,
                                        const Cells<Dim>& cells, const Topology<Dim>& topology,
                                        const Patches<Dim>& patches, const std::vector<double>& tau,
-                                       const Nodes<Dim>& trial, const std::vector<double>& pOld, double dt,
+                                       const Nodes<Dim>& trial, const Nodes<Dim>& old, double dt,
                                        double divTarget) {
     const bool inertia = controls.stabilisation == "inertia";
-    const auto terms = cellTerms<Dim>(problem, cells, patches, tau, trial, inertia, divTarget);
+    const double tauFaces = inertia ? 0 : meanOverCells<Dim>(patches, tau);
+    const auto terms = cellTerms<Dim>(problem, cells, patches, tau, tauFaces, trial, old, inertia, dt, divTarget);
     const NodeToCells& around = topology.fluid;
     std::vector<double> R(trial.size(), 0.0);
 #pragma omp parallel for schedule(static)
@@ -61,7 +72,7 @@ std::vector<double> continuityResidual(const Problem<Dim>& problem, const Contin
             compressibility += terms.compressibility[e];
             R[i] += terms.rate[e] + terms.flux[e].dot(patches.element[e].gradN[around.corner[s]]);
         }
-        R[i] += compressibility * (trial.p[i] - pOld[i]) / dt;
+        R[i] += compressibility * (trial.p[i] - old.p[i]) / dt;
     }
 
     for (const auto& face : topology.faces) {
@@ -75,7 +86,7 @@ std::vector<double> continuityResidual(const Problem<Dim>& problem, const Contin
         const Vec<Dim> n = area / measure;
         const double weight = tau[face.cell] * measure / Dim;
         if (!inertia)
-            for (int node : face.nodes) R[node] += weight * fluid.rho * trial.a[node].dot(n);
+            for (int node : face.nodes) R[node] += tauFaces * measure / Dim * fluid.rho * trial.a[node].dot(n);
         if (face.kind == FaceKind::interface) continue;
 
         const double twoOverH = 2 * measure / (Dim * g.measure);
@@ -90,6 +101,6 @@ std::vector<double> continuityResidual(const Problem<Dim>& problem, const Contin
 template std::vector<double> continuityResidual<2>(const Problem<2>&, const ContinuityControls&,
                                                    const Cells<2>&, const Topology<2>&, const Patches<2>&,
                                                    const std::vector<double>&, const Nodes<2>&,
-                                                   const std::vector<double>&, double, double);
+                                                   const Nodes<2>&, double, double);
 
 }  // namespace pfem

@@ -91,7 +91,7 @@ fs::path Parser::includedFile(Lexer& lexer, const NodePtr& scope, const Token& t
     if (text.empty()) throw UserError("#" + token.text + " needs a file name", token.where());
     const std::string name = expandString(text, *scope, token.where());
 
-    fs::path file = expandTags(name);
+    fs::path file = expandTags(name, open_.empty() ? fs::path(*token.file) : open_.front());
     std::error_code error;
     if (token.text.ends_with("Etc")) {
         const auto found = findEtc(file);

@@ -82,7 +82,24 @@ std::optional<fs::path> findFunction(const std::string& name) {
     return std::nullopt;
 }
 
-fs::path expandTags(const std::string& name) {
+namespace {
+
+fs::path caseOf(const fs::path& file) {
+    for (const char* variable : {"PFEM_CASE", "FOAM_CASE"}) {
+        if (const auto folder = environment(variable); !folder.empty()) return folder;
+    }
+    std::error_code error;
+    const fs::path current = fs::current_path(error);
+    for (fs::path folder = fs::absolute(file, error).parent_path(); folder.has_relative_path();
+         folder = folder.parent_path()) {
+        if (fs::exists(folder / "system/controlDict", error)) return folder;
+    }
+    return current;
+}
+
+}  // namespace
+
+fs::path expandTags(const std::string& name, const fs::path& file) {
     const auto home = environment("HOME");
     if (!home.empty() && (name == "~" || name.starts_with("~/"))) return home + name.substr(1);
     if (!name.starts_with('<')) return name;
@@ -92,8 +109,7 @@ fs::path expandTags(const std::string& name) {
     std::string rest = name.substr(close + 1);
     if (rest.starts_with('/')) rest.erase(0, 1);
     if (tag == "etc") return findEtc(rest).value_or(rest);
-    fs::path caseDir = environment("PFEM_CASE");
-    if (caseDir.empty()) caseDir = environment("FOAM_CASE");
+    const fs::path caseDir = caseOf(file);
     if (tag == "case") return (caseDir / rest).lexically_normal();
     if (tag == "constant" || tag == "system") return caseDir / tag / rest;
     return name;

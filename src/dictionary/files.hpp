@@ -18,7 +18,8 @@ std::optional<std::filesystem::path> findEtc(const std::filesystem::path& name);
 /// A function object's file below caseDicts/postProcessing of those folders.
 std::optional<std::filesystem::path> findFunction(const std::string& name);
 
-/// <etc>, <case>, <constant>, <system> at the start, and ~ .
-std::filesystem::path expandTags(const std::string& name);
+/// <etc>, <case>, <constant>, <system> at the start, and ~ . The case is $PFEM_CASE, $FOAM_CASE, the folder
+/// above `file` that has system/controlDict, or the current folder.
+std::filesystem::path expandTags(const std::string& name, const std::filesystem::path& file);
 
 }  // namespace pfem

@@ -42,6 +42,12 @@ KeyPattern::KeyPattern(const std::string& expression, const Location& where) {
     const std::string body = ignoreCase ? expression.substr(4) : expression;
     if (tooCostly(body))
         throw UserError("Regular expression \"" + expression.substr(0, 80) + "\" is too large", where);
+    for (std::size_t i = 0; i + 1 < body.size(); ++i) {  // \1 may take exponential time
+        if (body[i] == '\\' && body[i + 1] >= '1' && body[i + 1] <= '9') {
+            throw UserError("Keyword \"" + expression + "\": back references are not supported", where);
+        }
+        if (body[i] == '\\') ++i;
+    }
     auto compiled = std::make_shared<Compiled>();
     const std::string whole = "^(" + body + ")$";
     const int status =

@@ -50,6 +50,15 @@ cholmod_sparse view(const SymmetricMatrix& A) {
     return s;
 }
 
+/// Are all pivots numbers? CHOLMOD itself goes on with those that are not.
+bool isFinite(const cholmod_factor& L) {
+    const auto* start = static_cast<const int*>(L.p);
+    const auto* value = static_cast<const double*>(L.x);
+    for (std::size_t j = 0; j < L.n; ++j)
+        if (!std::isfinite(value[start[j]])) return false;
+    return true;
+}
+
 }  // namespace
 
 Ldlt::Ldlt() : cholmod_(std::make_unique<Cholmod>()) {}
@@ -70,7 +79,7 @@ void Ldlt::factorize(const SymmetricMatrix& A) {
     auto& c = *cholmod_;
     cholmod_sparse s = view(A);
     cholmod_factorize(&s, c.factor, &c.common);
-    if (c.common.status < CHOLMOD_OK || c.factor->minor < static_cast<std::size_t>(c.n))
+    if (c.common.status < CHOLMOD_OK || c.factor->minor < static_cast<std::size_t>(c.n) || !isFinite(*c.factor))
         throw StepFailure("matrix factorisation failed: a pivot vanishes or is not finite");
 }
 

@@ -26,7 +26,8 @@ std::vector<Stress<Dim>> solidStress(const Problem<Dim>& problem, const SolidCon
     const bool paper = controls.stressUpdate == "paper";
     Points<Dim> increment(old.x.size());
     if (!paper)
-        for (std::size_t i = 0; i < increment.size(); ++i) increment[i] = trial.x[i] - old.x[i];
+        for (std::size_t i = 0; i < increment.size(); ++i)  // x - x^n without its cancellation
+            increment[i] = 0.5 * dt * (old.v[i] + trial.v[i]);
     const auto gradient = paper ? nodalMean<Dim>(end, elementGradient<Dim>(end, trial.v))
                                 : nodalMean<Dim>(midpoint, elementGradient<Dim>(midpoint, increment));
     for (int i = 0; i < end.nNodes(); ++i) {

@@ -145,4 +145,5 @@ TEST(Errors, macrosAndDirectives) {
     expectError("a 1;\n#else\nb 1;", 2, "#else without #if");
     expectError("a 1;\n#if maybe\n#endif", 2, "expected bool");
     expectError("a 1;\n\"(x\" 1;", 2, "is not a regular expression");
+    expectError("a 1;\n\"(x*)*\\1\" 1;", 2, "back references are not supported");
 }

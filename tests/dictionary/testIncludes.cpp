@@ -64,6 +64,8 @@ TEST_F(Includes, relativeToTheIncludingFile) {
     write("constant/c", "q 1;");
     EXPECT_EQ(expanded("#include \"<constant>/c\"\n#include \"<case>/constant/c\""), "q 1;");
     unsetenv("PFEM_CASE");
+    write("system/controlDict", "");
+    EXPECT_EQ(expanded("s {\n#include \"<constant>/c\"\n}"), "s { q 1; }") << "the case of the file";
 }
 
 TEST_F(Includes, optionalAndEtc) {

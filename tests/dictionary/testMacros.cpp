@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <sstream>
 
 #include "dictionary/dictionary.hpp"
 #include "dictionary/expression.hpp"
@@ -75,6 +76,27 @@ TEST(Macros, removeAndInputMode) {
     EXPECT_EQ(expanded("#inputMode protect\na 1; a 2;\n#inputMode overwrite\ns {a 1;} s {b 1;}"),
               "a 1; s { b 1; }");
     EXPECT_THROW(expanded("#inputMode error\na 1; a 2;"), UserError);
+}
+
+TEST(Print, styleAndRoundTrip) {
+    const std::string text =
+        "FoamFile { class dictionary; }\n g (0 -9.81 0); rho [kg/m^3] 1000; n 3{0}; empty; \"(a|b)\" \"x "
+        "\\\"y\";\n"
+        "aVeryLongKeywordIndeed 1; sub { code #{ a; #}; list ( { a 1; } b { c 2; } ); }";
+    std::ostringstream first;
+    print(first, Dictionary::parse(text));
+    EXPECT_EQ(first.str(),
+              "FoamFile\n{\n    class           dictionary;\n}\n"
+              "g               ( 0 -9.81 0 );\n"
+              "rho             [ kg / m^3 ] 1000;\n"
+              "n               3{ 0 };\n"
+              "empty;\n"
+              "\"(a|b)\"         \"x \\\"y\";\n"
+              "aVeryLongKeywordIndeed 1;\n"
+              "sub\n{\n    code            #{ a; #};\n    list            ( { a 1; } b { c 2; } );\n}\n");
+    std::ostringstream second;
+    print(second, Dictionary::parse(first.str()));
+    EXPECT_EQ(second.str(), first.str());
 }
 
 TEST(Eval, scalars) {

@@ -1,0 +1,163 @@
+// The stabilised continuity equation against its terms and against exact states.
+
+#include <gtest/gtest.h>
+
+#include "continuity/residual.hpp"
+#include "continuity/stabilisation.hpp"
+#include "momentum/fluidStress.hpp"
+#include "support/cases.hpp"
+
+using namespace pfem;
+using namespace pfem::test;
+
+namespace {
+
+constexpr double dt = 2e-3;
+
+struct Fluid {
+    TestCase c;
+    Topology<2> topology;
+    Patches<2> patches;
+    std::vector<double> tau;
+    int n;
+
+    explicit Fluid(TestCase testCase)
+        : c(std::move(testCase)),
+          topology(c.topology()),
+          patches(makePatches<2>(c.state.mesh.fluid.nodes, topology.fluid, c.state.nodes.x)),
+          tau(stabilisation<2>(c.problem, c.state.mesh.fluid, patches, c.state.nodes.v, dt)),
+          n(c.state.nodes.size()) {}
+
+    std::vector<double> residual(const Nodes<2>& trial, const std::vector<double>& pOld, double divTarget = 0) const {
+        return continuityResidual<2>(c.problem, c.controls.continuity, c.state.mesh.fluid, topology, patches, tau, trial,
+                                     pOld, dt, divTarget);
+    }
+};
+
+TEST(ContinuityResidual, derivativeWithRespectToPressure) {
+    Fluid f(irregularPair());
+    f.c.problem.materials[0].fluid.kappa = f.c.problem.materials[1].fluid.kappa = 1e5;  // make it felt
+    Nodes<2> trial = f.c.state.nodes;
+    trial.v = randomVectors(f.n, 1);
+    trial.a = randomVectors(f.n, 2);
+    trial.p = randomNumbers(f.n, 3);
+    const auto pOld = randomNumbers(f.n, 4), q = randomNumbers(f.n, 5);
+    const auto R0 = f.residual(trial, pOld);
+    for (int i = 0; i < f.n; ++i) trial.p[i] += q[i];
+    const auto R1 = f.residual(trial, pOld);
+
+    // tau (L + M_G) q + Omega/(kappa dt) q, from the definitions
+    std::vector<double> expected(f.n, 0.0), surface(f.n, 0.0);
+    for (int e = 0; e < f.patches.nCells(); ++e) {
+        const auto& cell = f.patches.cell(e);
+        const auto g = simplexGeometry<2>(trial.x, cell);
+        for (int k = 0; k < 3; ++k) {
+            expected[cell[k]] += g.measure / 3 / (1e5 * dt) * q[cell[k]];
+            for (int l = 0; l < 3; ++l) expected[cell[k]] += f.tau[e] * g.measure * g.gradN[k].dot(g.gradN[l]) * q[cell[l]];
+        }
+    }
+    for (const auto& face : f.topology.faces) {
+        if (face.kind != FaceKind::freeSurface) continue;
+        const double length = (trial.x[face.nodes[1]] - trial.x[face.nodes[0]]).norm();
+        const double height = 2 * f.patches.element[face.cell].measure / length;
+        for (int node : face.nodes) surface[node] += f.tau[face.cell] * 2 / height * length / 2 * q[node];
+    }
+    double part = 0;
+    for (int i = 0; i < f.n; ++i) {
+        EXPECT_NEAR(R1[i] - R0[i], expected[i] + surface[i], 1e-14) << i;
+        part = std::max(part, std::abs(surface[i]));
+    }
+    EXPECT_GT(part, 1e-7);
+}
+
+// The force of the pressure and the divergence are adjoint: v . (B^T p) = p . (B v).
+TEST(ContinuityResidual, divergenceIsAdjointToThePressureForce) {
+    Fluid f(irregularPair());
+    f.c.problem.gravity.setZero();
+    std::fill(f.tau.begin(), f.tau.end(), 0.0);
+    for (auto& m : f.c.problem.materials) m.fluid.mu = 0;
+    const auto v = randomVectors(f.n, 1);
+    const auto p = randomNumbers(f.n, 2);
+    Nodes<2> trial = f.c.state.nodes;
+    trial.v = v;
+    const auto Bv = f.residual(trial, trial.p);
+    Points<2> force(f.n, Vec<2>::Zero());
+    addInternalForce<2>(f.patches, fluidStress<2>(f.c.problem, f.c.state.mesh.fluid, f.patches, v, p), force);
+    EXPECT_NEAR(dot(p, Bv), -dot(v, force), 1e-13);
+    EXPECT_GT(std::abs(dot(p, Bv)), 0.01);
+}
+
+// Omega_I div_I is the rate of the patch's volume.
+TEST(ContinuityResidual, divergenceIsTheRateOfTheVolume) {
+    Fluid f(irregularPair());
+    f.c.problem.gravity.setZero();
+    std::fill(f.tau.begin(), f.tau.end(), 0.0);
+    Nodes<2> trial = f.c.state.nodes;
+    trial.v = randomVectors(f.n, 1);
+    const auto rate = f.residual(trial, trial.p);
+    const double eps = 1e-6;
+    auto plus = trial.x, minus = trial.x;
+    for (int i = 0; i < f.n; ++i) {
+        plus[i] += eps * trial.v[i];
+        minus[i] -= eps * trial.v[i];
+    }
+    const auto a = makePatches<2>(f.c.state.mesh.fluid.nodes, f.topology.fluid, plus);
+    const auto b = makePatches<2>(f.c.state.mesh.fluid.nodes, f.topology.fluid, minus);
+    for (int i = 0; i < f.n; ++i) EXPECT_NEAR(rate[i], (a.volume[i] - b.volume[i]) / (2 * eps), 1e-9);
+    const auto target = f.residual(trial, trial.p, 0.5);
+    for (int i = 0; i < f.n; ++i) EXPECT_NEAR(target[i] - rate[i], -0.5 * f.patches.volume[i], 1e-15);
+}
+
+// The tank of an elastic solid accelerates: grad p = rho (g - a) is exact with the interface's acceleration.
+TEST(ContinuityResidual, exactStatesHaveNone) {
+    Fluid f(makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.5) +
+                         " } tub { type solid; material rubber; vertices ((-0.2 -0.2) (1.2 -0.2) (1.2 0.5) (1 0.5)"
+                         " (1 0) (0 0) (0 0.5) (-0.2 0.5)); } );",
+                     water + rubber, ""));
+    EXPECT_EQ(std::count_if(f.topology.faces.begin(), f.topology.faces.end(),
+                            [](const auto& face) { return face.kind == FaceKind::interface; }), 20);
+    const double scale = f.tau[0] * 1000 * 9.81;
+    for (const double a : {0.0, 4.0, -9.81}) {  // at rest, pushed up, falling
+        Nodes<2> trial = f.c.state.nodes;
+        for (int i = 0; i < f.n; ++i) {
+            trial.a[i] = Vec<2>(0, a);
+            trial.p[i] = 1000 * (9.81 + a) * (0.5 - trial.x[i][1]);
+        }
+        EXPECT_LT(largest(f.residual(trial, trial.p)), 1e-12 * scale) << a;
+        f.c.controls.continuity.interfaceAcceleration = false;
+        const double without = largest(f.residual(trial, trial.p));
+        if (a != 0) {
+            EXPECT_GT(without, 1e-3 * scale) << a;
+        }
+        f.c.controls.continuity.interfaceAcceleration = true;
+    }
+}
+
+// A free block that falls, is pulled sideways, or stretches viscously, without pressure gradients.
+TEST(ContinuityResidual, freeSurfaceStates) {
+    Fluid f(makeCase("meshSize 0.1; bodies ( water { type fluid; material syrup; " + rectangle(0, 0, 1, 0.5) + " } );",
+                     "syrup { type newtonian; rho 1000; mu 50; }", ""));
+    Nodes<2> trial = f.c.state.nodes;
+    for (auto& a : trial.a) a = Vec<2>(0, -9.81);
+    EXPECT_LT(largest(f.residual(trial, trial.p)), 1e-15);
+    // uniform dilation rate: sigma_nn = 2 mu (d_n - tr/3) - p ... the weak condition asks p = 2 mu d_n
+    for (int i = 0; i < f.n; ++i) trial.v[i] = 0.3 * trial.x[i];
+    std::fill(trial.p.begin(), trial.p.end(), 2 * 50 * 0.3);
+    const auto R = f.residual(trial, trial.p, 0.6);
+    EXPECT_LT(largest(R), 1e-13);
+    std::fill(trial.p.begin(), trial.p.end(), 0.0);
+    EXPECT_GT(largest(f.residual(trial, trial.p, 0.6)), 1e-6);
+}
+
+TEST(Stabilisation, formula) {
+    Fluid f(irregularPair());
+    std::fill(f.c.state.nodes.v.begin(), f.c.state.nodes.v.end(), Vec<2>(3, 4));
+    const auto tau = stabilisation<2>(f.c.problem, f.c.state.mesh.fluid, f.patches, f.c.state.nodes.v, dt);
+    for (int e = 0; e < f.patches.nCells(); ++e) {
+        const double h2 = 2 * f.patches.element[e].measure;
+        EXPECT_NEAR(1 / tau[e], 8 * 3 / h2 + 1000 / dt + 1000 * 5 / std::sqrt(h2), 1e-6);
+        EXPECT_NEAR(1 / f.tau[e], 8 * 3 / h2 + 1000 / dt, 1e-6);  // at rest not switched off
+    }
+}
+
+}  // namespace

@@ -1,0 +1,158 @@
+// The pressure matrix: its parts against the residual and against a dense elimination of the solid.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include "continuity/continuitySystem.hpp"
+#include "continuity/residual.hpp"
+#include "continuity/stabilisation.hpp"
+#include "momentum/mass.hpp"
+#include "support/cases.hpp"
+
+using namespace pfem;
+using namespace pfem::test;
+
+namespace {
+
+struct Coupled {
+    TestCase c = irregularPair();
+    Topology<2> topology = c.topology();
+    NodeConstraints<2> constraints = c.constraints(topology);
+    const Points<2>& x = c.state.nodes.x;
+    Newmark newmark{2e-3};
+    Patches<2> fluid = makePatches<2>(c.state.mesh.fluid.nodes, topology.fluid, x);
+    Patches<2> solid = makePatches<2>(c.state.mesh.solid.nodes, topology.solid, x);
+    std::vector<double> tau = stabilisation<2>(c.problem, c.state.mesh.fluid, fluid, c.state.nodes.v, newmark.dt);
+    int n = c.state.nodes.size();
+    SolidDofs<2> dofs = solidDofs<2>(topology.solid, constraints);
+    SymmetricMatrix A = solidMatrix();
+
+    SymmetricMatrix solidMatrix() const {
+        auto mass = fluidMass<2>(c.problem, c.state.mesh.fluid, fluid);
+        const auto more = solidMass<2>(c.problem, c.state.mesh.solid, x);
+        for (int i = 0; i < n; ++i) mass[i] += more[i];
+        return pfem::solidMatrix<2>(c.problem, {}, c.state.mesh.solid, solid, dofs, mass, c.state.nodes.h, newmark);
+    }
+    ContinuitySystem<2> system(const ContinuityControls& controls) const {
+        return {c.problem, controls, c.state.mesh.fluid, topology, constraints, fluid, tau, x, dofs, A, newmark};
+    }
+    /// R_c of pressure p and velocities v without gravity.
+    std::vector<double> residual(const std::vector<double>& stabilisationTime, const std::vector<double>& p,
+                                 const Points<2>& v) const {
+        Problem<2> problem = c.problem;
+        problem.gravity.setZero();
+        for (auto& m : problem.materials) m.fluid.mu = 0;
+        Nodes<2> trial = c.state.nodes;
+        trial.p = p;
+        trial.v = v;
+        return continuityResidual<2>(problem, {}, c.state.mesh.fluid, topology, fluid, stabilisationTime, trial,
+                                     std::vector<double>(n, 0.0), newmark.dt, 0);
+    }
+    Points<2> still() const { return Points<2>(n, Vec<2>::Zero()); }
+};
+
+// Without the Schur term and the compliances, with M_G as it is, the matrix is dR_c/dp.
+TEST(ContinuitySystem, isTheDerivativeOfTheResidual) {
+    Coupled s;
+    ContinuityControls controls;
+    controls.schurScale = controls.complianceScale = controls.freeSurfaceScale = 0;
+    auto R = randomNumbers(s.n, 1);
+    const auto dp = s.system(controls).solve(R);
+    const auto change = s.residual(s.tau, dp, s.still());
+    for (int i = 0; i < s.n; ++i) {
+        if (s.topology.wet(i)) {
+            EXPECT_NEAR(change[i] + R[i], 0, 1e-9);
+        }
+        else EXPECT_EQ(dp[i], 0);
+    }
+}
+
+TEST(ContinuitySystem, schurTermIsALargerStabilisation) {
+    Coupled s;
+    ContinuityControls controls;
+    controls.complianceScale = controls.freeSurfaceScale = 0;
+    controls.schurScale = 1.5;
+    controls.freeSurfaceWeight = 3;
+    auto R = randomNumbers(s.n, 1);
+    const auto dp = s.system(controls).solve(R);
+    // tau L + s/(rho m) L, surface 3 tau M_G: from residuals with other taus
+    std::vector<double> more = s.tau;
+    for (double& t : more) t += 1.5 * s.newmark.dt / (2 * 1000);
+    const auto volume = s.residual(more, dp, s.still());
+    std::vector<double> surface(s.n, 0.0);
+    for (const auto& face : s.topology.faces) {
+        if (face.kind != FaceKind::freeSurface) continue;
+        const double length = (s.x[face.nodes[1]] - s.x[face.nodes[0]]).norm();
+        const double height = 2 * s.fluid.element[face.cell].measure / length;
+        for (int node : face.nodes)
+            surface[node] += (3 * s.tau[face.cell] - more[face.cell]) * length / height * dp[node];
+    }
+    for (int i = 0; i < s.n; ++i)
+        if (s.topology.wet(i)) {
+            EXPECT_NEAR(volume[i] + surface[i] + R[i], 0, 1e-9);
+        }
+}
+
+// K_p dp + c_s B A_s^-1 B^T dp + c_f B m^-1 B^T dp = -R: with a dense elimination of the velocities of the elastic
+// interface and of the free surface.
+TEST(ContinuitySystem, complianceOfTheMovingBoundary) {
+    Coupled s;
+    ContinuityControls controls;
+    controls.schurScale = 0;
+    controls.complianceScale = 2;
+    controls.freeSurfaceScale = 3;
+    const auto R = randomNumbers(s.n, 1);
+    const auto dp = s.system(controls).solve(R);
+
+    const std::vector<double> zeroTau(s.tau.size(), 0.0), zero(s.n, 0.0);
+    const auto divergence = [&](int node, const Vec<2>& direction) {
+        Points<2> v = s.still();
+        v[node] = direction;
+        const auto Bv = s.residual(zeroTau, zero, v);
+        return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(Bv.data(), s.n));
+    };
+    Eigen::MatrixXd A(s.dofs.n, s.dofs.n), B(s.n, s.dofs.n);
+    for (std::size_t k = 0; k < s.dofs.node.size(); ++k)
+        for (int i = 0; i < s.dofs.count[s.dofs.node[k]]; ++i) {
+            const int column = s.dofs.first[s.dofs.node[k]] + i;
+            Eigen::VectorXd unit = Eigen::VectorXd::Zero(s.dofs.n);
+            unit[column] = 1;
+            A.col(column) = s.A.multiply(unit);
+            B.col(column) = divergence(s.dofs.node[k], s.dofs.basis[k].col(i));
+        }
+    EXPECT_LT((A - A.transpose()).norm(), 1e-12 * A.norm());
+    const Eigen::VectorXd q = Eigen::Map<const Eigen::VectorXd>(dp.data(), s.n);
+    const Eigen::VectorXd elastic = 2 * B * A.partialPivLu().solve(B.transpose() * q);
+    Eigen::VectorXd surface = Eigen::VectorXd::Zero(s.n);
+    for (int node = 0; node < s.n; ++node) {
+        if (!s.topology.freeSurface[node] || s.topology.onSolid[node]) continue;
+        for (int d = 0; d < 2; ++d) {
+            const auto b = divergence(node, Vec<2>::Unit(d));
+            surface += 3 * b.dot(q) / (s.newmark.massFactor() * 1000 * s.fluid.volume[node]) * b;
+        }
+    }
+    const auto rigid = s.residual(s.tau, dp, s.still());
+    for (int i = 0; i < s.n; ++i)
+        if (s.topology.wet(i)) {
+            EXPECT_NEAR(rigid[i] + elastic[i] + surface[i] + R[i], 0, 1e-8);
+        }
+    EXPECT_GT(elastic.cwiseAbs().maxCoeff(), 0.1);
+    EXPECT_GT(surface.cwiseAbs().maxCoeff(), 0.1);
+}
+
+TEST(ContinuitySystem, strongSurfaceHasNoUnknown) {
+    Coupled s;
+    ContinuityControls controls;
+    controls.freeSurfacePressure = "strong";
+    const auto system = s.system(controls);
+    const auto dp = system.solve(randomNumbers(s.n, 1));
+    for (int i = 0; i < s.n; ++i) {
+        EXPECT_EQ(system.hasUnknown(i), s.topology.wet(i) && !s.topology.freeSurface[i]);
+        if (s.topology.freeSurface[i]) {
+            EXPECT_EQ(dp[i], 0);
+        }
+    }
+}
+
+}  // namespace

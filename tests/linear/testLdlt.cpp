@@ -1,0 +1,112 @@
+// Direct solution of symmetric systems.
+
+#include "linear/ldlt.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <limits>
+#include <random>
+
+#include "base/error.hpp"
+
+using namespace pfem;
+
+namespace {
+
+/// Random sparse quasi-definite [H B; B^T -G] with nH + nG unknowns, and its dense twin.
+struct QuasiDefinite {
+    SymmetricMatrix A;
+    Eigen::MatrixXd dense;
+};
+
+QuasiDefinite quasiDefinite(int nH, int nG, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> value(-1, 1);
+    const int n = nH + nG;
+    std::vector<std::vector<int>> lower(n);
+    std::vector<std::array<int, 2>> entries;
+    for (int j = 0; j < n; ++j)
+        for (int i = j + 1; i < n; ++i)
+            if (value(random) > 0.6) {
+                lower[j].push_back(i);
+                entries.push_back({i, j});
+            }
+    QuasiDefinite q{symmetricPattern(lower), Eigen::MatrixXd::Zero(n, n)};
+    for (const auto& [i, j] : entries) {
+        const double a = value(random);
+        q.A.add(j, i, a);  // either triangle may be named
+        q.dense(i, j) = q.dense(j, i) = a;
+    }
+    for (int i = 0; i < n; ++i) {
+        double sum = 1;
+        const bool first = i < nH;
+        for (int j = 0; j < n; ++j)
+            if ((j < nH) == first && j != i) sum += std::abs(q.dense(i, j));
+        q.A.add(i, i, first ? sum : -sum);
+        q.dense(i, i) = first ? sum : -sum;
+    }
+    return q;
+}
+
+TEST(Ldlt, quasiDefiniteAgainstDense) {
+    for (const auto& [nH, nG] : {std::pair(40, 0), std::pair(0, 25), std::pair(40, 25), std::pair(1, 1)}) {
+        const auto q = quasiDefinite(nH, nG, 3 + nH);
+        Ldlt factor;
+        factor.analyze(q.A);
+        factor.factorize(q.A);
+        const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(nH + nG, -1, 2);
+        const Eigen::VectorXd exact = q.dense.fullPivLu().solve(b);
+        EXPECT_LT((factor.solve(b) - exact).norm(), 1e-12 * exact.norm()) << nH << " " << nG;
+        EXPECT_LT((q.A.multiply(b) - q.dense * b).norm(), 1e-13);
+    }
+}
+
+TEST(Ldlt, newValuesOnTheSamePattern) {
+    auto q = quasiDefinite(30, 20, 5);
+    Ldlt factor;
+    factor.analyze(q.A);
+    factor.factorize(q.A);
+    for (double& value : q.A.value) value *= 2;
+    factor.factorize(q.A);
+    const Eigen::VectorXd b = Eigen::VectorXd::Ones(50);
+    EXPECT_LT((2 * q.dense * factor.solve(b) - b).norm(), 1e-12);
+}
+
+TEST(Ldlt, singularMatrixFailsTheStep) {
+    auto A = symmetricPattern({{1}, {}, {}});  // rows 0 and 1 alike, row 2 apart
+    A.add(0, 0, 1);
+    A.add(1, 0, 1);
+    A.add(1, 1, 1);
+    A.add(2, 2, 1);
+    Ldlt factor;
+    factor.analyze(A);
+    EXPECT_THROW(factor.factorize(A), StepFailure);
+    A.add(1, 1, 1);  // mended: the object can be used again
+    factor.factorize(A);
+    EXPECT_LT((factor.solve(Eigen::Vector3d(1, 1, 1)) - Eigen::Vector3d(1, 0, 1)).norm(), 1e-14);
+}
+
+TEST(Ldlt, zeroRowFailsTheStep) {
+    auto A = symmetricPattern({{1}, {}});
+    A.add(0, 0, 1);
+    Ldlt factor;
+    factor.analyze(A);
+    EXPECT_THROW(factor.factorize(A), StepFailure);
+}
+
+TEST(Ldlt, notANumberFailsTheStep) {
+    auto A = symmetricPattern({{1}, {}});
+    A.add(0, 0, std::numeric_limits<double>::quiet_NaN());
+    A.add(1, 1, 1);
+    Ldlt factor;
+    factor.analyze(A);
+    EXPECT_THROW(factor.factorize(A), StepFailure);
+}
+
+TEST(SymmetricMatrix, entryOutsideThePattern) {
+    auto A = symmetricPattern({{1}, {}, {}});
+    EXPECT_THROW(A.add(2, 0, 1), InternalError);
+}
+
+}  // namespace

@@ -1,0 +1,175 @@
+// Adjacency and what follows from it: kinds of faces, roles of nodes.
+
+#include "mesh/topology.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+using namespace pfem;
+
+namespace {
+
+//   6----7----8      fluid: the four triangles of the two upper cells (nodes 3 4 5 6 7 8)
+//   | f / | f /|     solid: the four of the lower cells (0 1 2 3 4 5)
+//   | /   | /  |     wall: the right side 5-8 (fluid on the left of 5 -> 8)
+//   3----4----5      node 9 alone, node 10 alone on the wall above
+//   | s / | s /|
+//   0----1----2
+Mesh<2> layers() {
+    Mesh<2> mesh;
+    mesh.solid.nodes = {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}};
+    mesh.fluid.nodes = {{3, 4, 7}, {3, 7, 6}, {4, 5, 8}, {4, 8, 7}};
+    mesh.solid.material.assign(4, 1);
+    mesh.fluid.material.assign(4, 0);
+    mesh.patches = {{"side", {{5, 8}, {8, 10}}}};
+    return mesh;
+}
+
+std::map<std::set<int>, FaceKind> facesOf(const Topology<2>& t) {
+    std::map<std::set<int>, FaceKind> kinds;
+    for (const auto& face : t.faces) kinds[{face.nodes[0], face.nodes[1]}] = face.kind;
+    return kinds;
+}
+
+TEST(Adjacency, cellsAndNodesAroundANode) {
+    const auto mesh = layers();
+    const auto around = nodeToCells<2>(mesh.fluid.nodes, 11);
+    EXPECT_EQ(around.count(4), 3);
+    EXPECT_EQ(around.count(0), 0);
+    EXPECT_EQ(around.count(9), 0);
+    for (int i = 0; i < 11; ++i)
+        for (int s = around.start[i]; s < around.start[i + 1]; ++s)
+            EXPECT_EQ(mesh.fluid.nodes[around.cell[s]][around.corner[s]], i);
+    const auto ring = nodeToNodes<2>(mesh.fluid.nodes, around);
+    const std::vector<int> of4(ring.node.begin() + ring.start[4], ring.node.begin() + ring.start[5]);
+    EXPECT_EQ(of4, (std::vector<int>{3, 5, 7, 8}));
+}
+
+TEST(Adjacency, boundaryFacesHaveTheirCellOnTheLeft) {
+    const auto mesh = layers();
+    const Points<2> x = {{0, 0}, {1, 0}, {2, 0}, {0, 1}, {1, 1}, {2, 1}, {0, 2}, {1, 2}, {2, 2}, {5, 5}, {2, 3}};
+    const auto faces = boundaryFaces<2>(mesh.fluid.nodes, nodeToCells<2>(mesh.fluid.nodes, 11));
+    EXPECT_EQ(faces.size(), 6u);
+    for (const auto& face : faces) {
+        const auto& cell = mesh.fluid.nodes[face.cell];
+        const int opposite = cell[face.opposite];
+        EXPECT_TRUE(opposite != face.nodes[0] && opposite != face.nodes[1]);
+        const Vec<2> t = x[face.nodes[1]] - x[face.nodes[0]], o = x[opposite] - x[face.nodes[0]];
+        EXPECT_GT(t[0] * o[1] - t[1] * o[0], 0);
+    }
+}
+
+TEST(Topology, kindsOfFaces) {
+    const auto t = makeTopology<2>(layers(), {PatchKind::slipWall}, std::vector<int>(11, -1));
+    const auto kinds = facesOf(t);
+    EXPECT_EQ(kinds.size(), 6u);
+    EXPECT_EQ(kinds.at({3, 4}), FaceKind::interface);
+    EXPECT_EQ(kinds.at({4, 5}), FaceKind::interface);
+    EXPECT_EQ(kinds.at({5, 8}), FaceKind::wall);
+    EXPECT_EQ(kinds.at({7, 8}), FaceKind::freeSurface);
+    EXPECT_EQ(kinds.at({6, 7}), FaceKind::freeSurface);
+    EXPECT_EQ(kinds.at({3, 6}), FaceKind::freeSurface);
+}
+
+TEST(Topology, rolesOfNodes) {
+    const auto t = makeTopology<2>(layers(), {PatchKind::slipWall}, std::vector<int>(11, -1));
+    const auto is = [](const auto& flag) {
+        std::vector<int> nodes;
+        for (int i = 0; i < 11; ++i)
+            if (flag(i)) nodes.push_back(i);
+        return nodes;
+    };
+    EXPECT_EQ(is([&](int i) { return t.onSolid[i]; }), (std::vector<int>{0, 1, 2, 3, 4, 5}));
+    EXPECT_EQ(is([&](int i) { return t.corner[i]; }), (std::vector<int>{5, 8, 10}));
+    EXPECT_EQ(is([&](int i) { return t.held(i); }), (std::vector<int>{0, 1, 2, 3, 4, 5, 8, 10}));
+    EXPECT_EQ(is([&](int i) { return t.freeSurface[i]; }), (std::vector<int>{3, 6, 7, 8}));
+    EXPECT_EQ(is([&](int i) { return t.wet(i); }), (std::vector<int>{3, 4, 5, 6, 7, 8}));
+    EXPECT_EQ(is([&](int i) { return t.interface(i); }), (std::vector<int>{3, 4, 5}));
+    EXPECT_EQ(is([&](int i) { return t.isolated(i); }), (std::vector<int>{9}));  // 10 is a dry corner of a wall
+}
+
+// Nodes slide along walls whose faces have only corners as nodes of their own.
+TEST(Topology, facesOfSlidingNodes) {
+    // floor from corner 0 to corner 4, wall from corner 4 up to 5; nodes 1 2 slide along the floor, 6 along the wall
+    Mesh<2> mesh;
+    mesh.fluid.nodes = {{1, 2, 3}, {2, 4, 6}, {2, 6, 3}};
+    mesh.fluid.material.assign(3, 0);
+    mesh.patches = {{"outlet", {{7, 8}}}, {"tank", {{0, 4}, {4, 5}}}};
+    const std::vector<int> wall = {-1, 1, 1, -1, -1, -1, 2, -1, -1};  // counted over all patches
+    const auto t = makeTopology<2>(mesh, {PatchKind::symmetry, PatchKind::slipWall}, wall);
+    const auto kinds = facesOf(t);
+    EXPECT_EQ(kinds.size(), 5u);
+    EXPECT_EQ(kinds.at({1, 2}), FaceKind::wall);
+    EXPECT_EQ(kinds.at({2, 4}), FaceKind::wall);  // with the corner
+    EXPECT_EQ(kinds.at({4, 6}), FaceKind::wall);
+    EXPECT_EQ(kinds.at({3, 6}), FaceKind::freeSurface);
+    EXPECT_EQ(kinds.at({1, 3}), FaceKind::freeSurface);
+    EXPECT_TRUE(t.onWall[1] && t.onWall[6] && !t.onWall[4]);
+    EXPECT_FALSE(t.isolated(0));  // a dry corner
+    const auto across = facesOf(makeTopology<2>({{{{2, 6, 3}}, {0}}, {}, mesh.patches, {}},
+                                                {PatchKind::symmetry, PatchKind::slipWall}, wall));
+    EXPECT_EQ(across.at({2, 6}), FaceKind::freeSurface);  // two walls: across the corner, not along a wall
+}
+
+TEST(Topology, twoFreeSurfaceNodesDoNotMakeAFace) {
+    // a strip of one row: every node is on the free surface, inner edges are no faces
+    Mesh<2> mesh;
+    mesh.fluid.nodes = {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}};
+    mesh.fluid.material.assign(4, 0);
+    const auto t = makeTopology<2>(mesh, {}, std::vector<int>(6, -1));
+    const auto kinds = facesOf(t);
+    EXPECT_EQ(kinds.size(), 6u);
+    EXPECT_EQ(kinds.count({1, 4}), 0u);
+    EXPECT_EQ(kinds.count({0, 4}), 0u);
+    for (int i = 0; i < 6; ++i) EXPECT_TRUE(t.freeSurface[i]);
+}
+
+// A fluid triangle whose three nodes all lie on a concave solid is fluid, its free face included: what faces are is
+// said by the cells, not by flags of nodes.
+TEST(Topology, faceAcrossAConcaveSolidCorner) {
+    // solid: L of two triangles around the corner 1; fluid: triangle (0 ... ) in the corner
+    const std::vector<Simplex<2>> solid = {{3, 1, 0}, {1, 4, 2}};
+    Mesh<2> mesh;
+    mesh.solid.nodes = solid;
+    mesh.solid.material.assign(2, 1);
+    mesh.fluid.nodes = {{0, 1, 2}};
+    mesh.fluid.material.assign(1, 0);
+    const auto t = makeTopology<2>(mesh, {}, std::vector<int>(5, -1));
+    const auto kinds = facesOf(t);
+    EXPECT_EQ(kinds.at({0, 1}), FaceKind::interface);
+    EXPECT_EQ(kinds.at({1, 2}), FaceKind::interface);
+    EXPECT_TRUE(t.wet(0) && t.wet(1) && t.wet(2));
+}
+
+TEST(Topology, faceOnASymmetryPatchIsClosed) {
+    Mesh<2> mesh;
+    mesh.fluid.nodes = {{0, 1, 2}};
+    mesh.fluid.material.assign(1, 0);
+    mesh.patches = {{"plane", {{0, 1}}}};
+    const auto kinds = facesOf(makeTopology<2>(mesh, {PatchKind::symmetry}, {-1, -1, -1}));
+    EXPECT_EQ(kinds.at({0, 1}), FaceKind::wall);
+    EXPECT_EQ(kinds.at({1, 2}), FaceKind::freeSurface);
+    const auto clamped = facesOf(makeTopology<2>(mesh, {PatchKind::clamped}, {-1, -1, -1}));
+    EXPECT_EQ(clamped.at({0, 1}), FaceKind::freeSurface);
+}
+
+TEST(Topology, threeDimensions) {
+    Mesh<3> mesh;  // a fluid tetrahedron on a solid one
+    mesh.fluid.nodes = {{0, 1, 2, 3}};
+    mesh.fluid.material = {0};
+    mesh.solid.nodes = {{0, 2, 1, 4}};
+    mesh.solid.material = {1};
+    const auto t = makeTopology<3>(mesh, {}, std::vector<int>(5, -1));
+    int interface = 0, surface = 0;
+    for (const auto& face : t.faces) {
+        interface += face.kind == FaceKind::interface;
+        surface += face.kind == FaceKind::freeSurface;
+    }
+    EXPECT_EQ(interface, 1);
+    EXPECT_EQ(surface, 3);
+}
+
+}  // namespace

@@ -1,0 +1,115 @@
+// Viscous operator of the fluid's patches.
+
+#include <gtest/gtest.h>
+
+#include "momentum/fluidStress.hpp"
+#include "momentum/residual.hpp"
+#include "support/cases.hpp"
+
+using namespace pfem;
+using namespace pfem::test;
+
+namespace {
+
+constexpr double mu = 3;  // of irregularPair
+
+struct Fluid {
+    TestCase c = irregularPair();
+    Topology<2> topology = c.topology();
+    Patches<2> patches = makePatches<2>(c.state.mesh.fluid.nodes, topology.fluid, c.state.nodes.x);
+    int n = c.state.nodes.size();
+
+    Points<2> force(const std::vector<Tensor<2>>& stress) const {
+        Points<2> f(n, Vec<2>::Zero());
+        addInternalForce<2>(patches, stress, f);
+        return f;
+    }
+    Points<2> viscous(const Points<2>& v, const std::vector<double>& bulk = {}) const {
+        return force(fluidTangentStress<2>(c.problem, c.state.mesh.fluid, patches, v, bulk));
+    }
+    double area() const {
+        double sum = 0;
+        for (double volume : patches.volume) sum += volume;
+        return sum;
+    }
+    Points<2> linear(const Tensor<2>& L) const {
+        Points<2> v;
+        for (const auto& x : c.state.nodes.x) v.push_back(L * x);
+        return v;
+    }
+};
+
+TEST(ViscousOperator, symmetricPositiveSemidefinite) {
+    Fluid f;
+    for (const double bulk : {0.0, 7.0}) {
+        const std::vector<double> k = bulk > 0 ? std::vector<double>(f.n, bulk) : std::vector<double>{};
+        for (unsigned seed = 1; seed < 6; ++seed) {
+            const auto u = randomVectors(f.n, seed), w = randomVectors(f.n, seed + 10);
+            const double uw = dot(u, f.viscous(w, k)), wu = dot(w, f.viscous(u, k));
+            EXPECT_NEAR(uw, wu, 1e-11 * std::abs(uw));
+            EXPECT_GT(dot(u, f.viscous(u, k)), 1.0);
+        }
+    }
+}
+
+TEST(ViscousOperator, powerOfUniformRates) {
+    Fluid f;
+    const auto power = [&](const Tensor<2>& L) {
+        const auto v = f.linear(L);
+        return dot(v, f.viscous(v)) / f.area();
+    };
+    Tensor<2> L;
+    L << 0, 2, 0, 0;  // shear
+    EXPECT_NEAR(power(L), mu * 4, 1e-10);
+    L << 0, -2, 2, 0;  // rotation
+    EXPECT_NEAR(power(L), 0, 1e-10);
+    L << 1, 0, 0, -1;  // stretching
+    EXPECT_NEAR(power(L), 4 * mu, 1e-10);
+    L << 1, 0, 0, 1;  // 2 mu (d - tr(d)/3 I) : d
+    EXPECT_NEAR(power(L), 2 * mu * (2 - 4.0 / 3), 1e-10);
+    const auto v = f.linear(L);  // plus the bulk term tr(d)^2
+    EXPECT_NEAR(dot(v, f.viscous(v, std::vector<double>(f.n, 5))) / f.area(), 4.0 * mu / 3 + 5 * 4, 1e-10);
+}
+
+TEST(ViscousOperator, isTheDerivativeOfItsResidual) {
+    Fluid f;
+    const auto& cells = f.c.state.mesh.fluid;
+    const auto v = randomVectors(f.n, 1), w = randomVectors(f.n, 2);
+    const auto p = randomNumbers(f.n, 3);
+    const double eps = 1e-3;
+    Points<2> plus = v, minus = v;
+    for (int i = 0; i < f.n; ++i) {
+        plus[i] += eps * w[i];
+        minus[i] -= eps * w[i];
+    }
+    const auto a = f.force(fluidStress<2>(f.c.problem, cells, f.patches, plus, p));
+    const auto b = f.force(fluidStress<2>(f.c.problem, cells, f.patches, minus, p));
+    const auto exact = f.viscous(w);
+    for (int i = 0; i < f.n; ++i) EXPECT_LT(((a[i] - b[i]) / (2 * eps) - exact[i]).norm(), 1e-9);
+    EXPECT_GT(largest(exact), 1.0);
+}
+
+TEST(FluidStress, uniformPressureActsAsOutwardNormalLoad) {
+    Fluid f;
+    const std::vector<double> p(f.n, 2.5);
+    const auto force = f.force(
+        fluidStress<2>(f.c.problem, f.c.state.mesh.fluid, f.patches, Points<2>(f.n, Vec<2>::Zero()), p));
+    // the internal force is minus the push of the pressure on its boundary
+    Points<2> expected(f.n, Vec<2>::Zero());
+    for (const auto& face : f.topology.faces)
+        for (int node : face.nodes) expected[node] -= 0.5 * 2.5 * faceArea<2>(f.c.state.nodes.x, face.nodes);
+    for (int i = 0; i < f.n; ++i) EXPECT_LT((force[i] - expected[i]).norm(), 1e-13);
+}
+
+TEST(FluidMass, sumsToDensityTimesArea) {
+    Fluid f;
+    const auto mass = fluidMass<2>(f.c.problem, f.c.state.mesh.fluid, f.patches);
+    double sum = 0;
+    for (int i = 0; i < f.n; ++i) {
+        EXPECT_NEAR(mass[i], 1000 * f.patches.volume[i], 1e-10);
+        sum += mass[i];
+    }
+    EXPECT_NEAR(sum, 1000 * f.area(), 1e-9);
+}
+
+}  // namespace

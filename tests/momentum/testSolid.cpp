@@ -1,0 +1,174 @@
+// The solid's forces on a mesh: matrix against finite differences, damper, rotations.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "momentum/mass.hpp"
+#include "momentum/solidMatrix.hpp"
+#include "momentum/solidStress.hpp"
+#include "support/cases.hpp"
+
+using namespace pfem;
+using namespace pfem::test;
+
+namespace {
+
+struct Solid {
+    TestCase c = irregularPair();
+    Topology<2> topology = c.topology();
+    NodeConstraints<2> constraints = c.constraints(topology);
+    int n = c.state.nodes.size();
+    const Cells<2>& cells = c.state.mesh.solid;
+
+    Patches<2> patches(const Points<2>& x) const { return makePatches<2>(cells.nodes, topology.solid, x); }
+
+    /// Positions at the end of the step, stress there, force.
+    Nodes<2> trial(const SolidControls& controls, const Nodes<2>& old, const Points<2>& v, double dt) const {
+        Nodes<2> t = old;
+        t.v = v;
+        Points<2> middle(n);
+        for (int i = 0; i < n; ++i) {
+            t.x[i] = Newmark{dt}.position<2>(old.x[i], old.v[i], v[i]);
+            middle[i] = 0.5 * (t.x[i] + old.x[i]);
+        }
+        t.sigma = solidStress<2>(c.problem, controls, cells, patches(middle), patches(t.x), old, t, dt);
+        return t;
+    }
+    Points<2> force(const SolidControls& controls, const Nodes<2>& t) const {
+        Points<2> f(n, Vec<2>::Zero());
+        const auto end = patches(t.x);
+        addInternalForce<2>(end, solidElementStress<2>(c.problem, controls, cells, end, t), f);
+        return f;
+    }
+};
+
+Eigen::VectorXd gather(const SolidDofs<2>& dofs, const Points<2>& u) {
+    Eigen::VectorXd r(dofs.n);
+    for (std::size_t k = 0; k < dofs.node.size(); ++k)
+        for (int i = 0; i < dofs.count[dofs.node[k]]; ++i)
+            r[dofs.first[dofs.node[k]] + i] = dofs.basis[k].col(i).dot(u[dofs.node[k]]);
+    return r;
+}
+
+class SolidTangent : public testing::TestWithParam<std::tuple<const char*, double, double>> {};
+
+// A_s = d(residual)/dv at small strain, for both updates, with and without damper, both time schemes.
+TEST_P(SolidTangent, isTheDerivativeOfTheResidual) {
+    Solid s;
+    SolidControls controls;
+    controls.stressUpdate = std::get<0>(GetParam());
+    controls.damping = std::get<1>(GetParam());
+    const Newmark newmark{2e-3, std::get<2>(GetParam())};
+    const auto mass = solidMass<2>(s.c.problem, s.cells, s.c.state.nodes.X);
+    const auto& old = s.c.state.nodes;
+    const auto dofs = solidDofs<2>(s.topology.solid, s.constraints);
+    const auto A = solidMatrix<2>(s.c.problem, controls, s.cells, s.patches(old.x), dofs, mass, old.h, newmark);
+
+    Points<2> w = randomVectors(s.n, 5);
+    for (int i = 0; i < s.n; ++i) w[i] = s.constraints.project(i, w[i]);
+    const double eps = 1e-4;
+    const auto residual = [&](double factor) {
+        Points<2> v = w;
+        for (auto& u : v) u *= factor;
+        Points<2> R = s.force(controls, s.trial(controls, old, v, newmark.dt));
+        for (int i = 0; i < s.n; ++i) R[i] += mass[i] * newmark.acceleration<2>(old.v[i], v[i], old.a[i]);
+        return gather(dofs, R);
+    };
+    const Eigen::VectorXd difference = (residual(eps) - residual(-eps)) / (2 * eps);
+    const Eigen::VectorXd exact = A.multiply(gather(dofs, w));
+    EXPECT_LT((difference - exact).norm(), 1e-7 * exact.norm());
+    // the stiffness is a visible part of it
+    Eigen::VectorXd inertia = exact;
+    for (std::size_t k = 0; k < dofs.node.size(); ++k)
+        for (int i = 0; i < dofs.count[dofs.node[k]]; ++i)
+            inertia[dofs.first[dofs.node[k]] + i] = newmark.massFactor() * mass[dofs.node[k]] *
+                                                    dofs.basis[k].col(i).dot(w[dofs.node[k]]);
+    EXPECT_GT((exact - inertia).norm(), 1e-2 * exact.norm());
+}
+
+INSTANTIATE_TEST_SUITE_P(updates, SolidTangent,
+                         testing::Combine(testing::Values("rotatedMidpoint", "paper"), testing::Values(0.0, 0.1),
+                                          testing::Values(0.5, 1.0)));
+
+TEST(Damper, vanishesForLinearFieldsAndDissipatesTheRest) {
+    Solid s;
+    SolidControls controls;
+    controls.damping = 0.1;
+    Nodes<2> nodes = s.c.state.nodes;
+    Tensor<2> L;
+    L << 0.3, -1, 0.7, 0.2;
+    for (int i = 0; i < s.n; ++i) nodes.v[i] = L * nodes.x[i];
+    EXPECT_LT(largest(s.force(controls, nodes)), 1e-9);
+    for (unsigned seed = 1; seed < 6; ++seed) {
+        nodes.v = randomVectors(s.n, seed);
+        EXPECT_GT(dot(nodes.v, s.force(controls, nodes)), 1.0);
+    }
+}
+
+TEST(Damper, timeScale) {
+    EXPECT_NEAR(dampingTime(Hypoelastic{1500, 2e5, 0.3}, 0.1, 0.02), 0.1 * 0.02 * std::sqrt(1500 / 2e5), 1e-15);
+}
+
+// A block that turns rigidly, node by node, by 360 degrees: its stress turns with it.
+TEST(SolidStress, stressedBlockTurnsBy360Degrees) {
+    Solid s;
+    const SolidControls controls;
+    for (const bool stressed : {true, false}) {
+        Nodes<2> nodes = s.c.state.nodes;
+        Stress<2> sigma0;
+        sigma0 << 3e3, -1e3, 5e2, 2e3;
+        if (!stressed) sigma0.setZero();
+        for (int i = 0; i < s.n; ++i)
+            if (s.topology.onSolid[i]) nodes.sigma[i] = sigma0;
+        const int steps = 60;
+        const double dt = 0.01, scale = stressed ? sigma0.norm() : 2e5;
+        for (int k = 0; k < steps; ++k) {
+            Nodes<2> next = nodes;
+            const Tensor<2> R = Eigen::Rotation2Dd(2 * M_PI * (k + 1) / steps).toRotationMatrix();
+            Points<2> middle(s.n);
+            for (int i = 0; i < s.n; ++i) {
+                next.x[i] = Vec<2>(1, 2) + R * (nodes.X[i] - Vec<2>(1, 2));
+                middle[i] = 0.5 * (next.x[i] + nodes.x[i]);
+                nodes.v[i] = next.v[i] = (next.x[i] - nodes.x[i]) / dt;
+            }
+            next.sigma = solidStress<2>(s.c.problem, controls, s.cells, s.patches(middle), s.patches(next.x), nodes,
+                                        next, dt);
+            nodes = next;
+        }
+        for (int i = 0; i < s.n; ++i)
+            if (s.topology.onSolid[i]) {
+                EXPECT_LT((nodes.sigma[i] - sigma0).norm(), 1e-9 * scale);
+            }
+    }
+}
+
+// Uniaxial strain of the whole mesh: M = E (1-nu)/((1+nu)(1-2nu)) in every patch, interface included.
+TEST(SolidStress, uniaxialStrain) {
+    Solid s;
+    const double E = 2e5, nu = 0.3, M = E * (1 - nu) / ((1 + nu) * (1 - 2 * nu)), dt = 1e-3, strain = 1e-6;
+    for (const char* update : {"rotatedMidpoint", "paper"}) {
+        SolidControls controls;
+        controls.stressUpdate = update;
+        Points<2> v(s.n);
+        for (int i = 0; i < s.n; ++i) v[i] = Vec<2>(0, strain / dt * s.c.state.nodes.x[i][1]);
+        Nodes<2> old = s.c.state.nodes;
+        old.v = v;  // steady: the displacement of the step is dt v
+        const auto t = s.trial(controls, old, v, dt);
+        for (int i = 0; i < s.n; ++i)
+            if (s.topology.onSolid[i]) {
+                EXPECT_NEAR(t.sigma[i][1], M * strain, 1e-5 * M * strain);
+                EXPECT_NEAR(t.sigma[i][0], M * strain * nu / (1 - nu), 1e-5 * M * strain);
+                EXPECT_NEAR(t.sigma[i][3], 0, 1e-5 * M * strain);
+            }
+    }
+}
+
+TEST(SolidMass, isThatOfTheReferencePositions) {
+    Solid s;
+    const auto mass = solidMass<2>(s.c.problem, s.cells, s.c.state.nodes.X);
+    const auto patches = s.patches(s.c.state.nodes.X);
+    for (int i = 0; i < s.n; ++i) EXPECT_NEAR(mass[i], 1500 * patches.volume[i], 1e-10);
+}
+
+}  // namespace

@@ -1,0 +1,106 @@
+// The one linear system for all velocities, and the terms of its right-hand side.
+
+#include <gtest/gtest.h>
+
+#include "momentum/fluidStress.hpp"
+#include "momentum/momentumSystem.hpp"
+#include "momentum/residual.hpp"
+#include "support/cases.hpp"
+
+using namespace pfem;
+using namespace pfem::test;
+
+namespace {
+
+// With dv from the system, mass, viscosity, bulk term and solid matrix together balance the residual on every free
+// direction: the same operators as in the residual, each once, interface nodes included.
+TEST(MomentumSystem, solutionBalancesTheResidual) {
+    for (const double theta : {0.0, 1.0}) {
+        TestCase c = irregularPair();
+        const auto topology = c.topology();
+        const auto constraints = c.constraints(topology);
+        const auto& x = c.state.nodes.x;
+        const int n = c.state.nodes.size();
+        const Newmark newmark{1e-2};
+        const auto fluid = makePatches<2>(c.state.mesh.fluid.nodes, topology.fluid, x);
+        const auto solid = makePatches<2>(c.state.mesh.solid.nodes, topology.solid, x);
+        auto mass = fluidMass<2>(c.problem, c.state.mesh.fluid, fluid);
+        const auto massOfSolid = solidMass<2>(c.problem, c.state.mesh.solid, x);
+        for (int i = 0; i < n; ++i) mass[i] += massOfSolid[i];
+        const auto dofs = solidDofs<2>(topology.solid, constraints);
+        const auto A = solidMatrix<2>(c.problem, {}, c.state.mesh.solid, solid, dofs, mass, c.state.nodes.h, newmark);
+        MomentumControls controls;
+        controls.theta = theta;
+        controls.linearTolerance = 1e-13;
+        MomentumSystem<2> system(c.problem, controls, c.state.mesh, topology, constraints, fluid, mass, dofs, A, newmark);
+
+        Points<2> R = randomVectors(n, 4);
+        const auto dv = system.solve(R);
+        EXPECT_GT(system.linearIterations(), 1);
+
+        std::vector<double> bulk;
+        if (theta > 0)
+            for (double volume : fluid.volume) bulk.push_back(theta * 1000 * volume / newmark.dt);
+        Points<2> sum = R;
+        addInternalForce<2>(fluid, fluidTangentStress<2>(c.problem, c.state.mesh.fluid, fluid, dv, bulk), sum);
+        Eigen::VectorXd u(dofs.n);
+        for (std::size_t k = 0; k < dofs.node.size(); ++k) u.segment<2>(dofs.first[dofs.node[k]]) = dv[dofs.node[k]];
+        const Eigen::VectorXd Au = A.multiply(u);  // carries the fluid's mass at the interface too
+        for (int i = 0; i < n; ++i) {
+            if (dofs.local[i] >= 0) sum[i] += Au.segment<2>(dofs.first[i]);
+            else if (!topology.onSolid[i]) sum[i] += newmark.massFactor() * mass[i] * dv[i];
+            sum[i] = constraints.project(i, sum[i]);
+            if (constraints.hold[i] == Hold::fixed) {
+                EXPECT_EQ(dv[i].norm(), 0);
+            }
+        }
+        EXPECT_LT(largest(sum), 1e-10) << theta;
+    }
+}
+
+// d(residual)/dv of the inertia: 1/(gamma dt) m, trapezoidal 2 m/dt.
+TEST(MomentumResidual, inertiaAgainstFiniteDifferences) {
+    const Newmark newmark{1e-2};
+    const Vec<2> vOld(1, -2), aOld(3, 4), v(1.1, -1.7), w(0.3, 0.9);
+    const double eps = 1e-3;
+    const Vec<2> slope = (newmark.acceleration<2>(vOld, v + eps * w, aOld) -
+                          newmark.acceleration<2>(vOld, v - eps * w, aOld)) / (2 * eps);
+    EXPECT_LT((slope - newmark.massFactor() * w).norm(), 1e-9);
+    EXPECT_NEAR(newmark.massFactor(), 2 / 1e-2, 1e-12);
+}
+
+TEST(Newmark, constantAccelerationIsExact) {
+    for (const double gamma : {0.5, 0.75, 1.0}) {
+        const Newmark newmark{0.1, gamma};
+        const Vec<2> a(0, -9.81), v(1, 2), x(3, 4);
+        const Vec<2> next = v + 0.1 * a;
+        EXPECT_LT((newmark.acceleration<2>(v, next, a) - a).norm(), 1e-13);
+        EXPECT_LT((newmark.position<2>(x, v, next) - (x + 0.1 * v + 0.005 * a)).norm(), 1e-15);
+    }
+}
+
+TEST(MomentumResidual, weightTractionAndInertia) {
+    TestCase c = makeCase("meshSize 0.1; bodies ( block { type solid; material rubber; " + rectangle(0, 0, 1, 0.5) +
+                              " patches { end { edges ((1 2)); } } } );",
+                          rubber, "end { type traction; traction (7 -3 0); }");
+    const auto topology = c.topology();
+    const auto& nodes = c.state.nodes;
+    const auto traction = tractionForce<2>(c.state.mesh, c.problem.conditions, nodes.x);
+    Vec<2> total = Vec<2>::Zero();
+    for (const auto& f : traction) total += f;
+    EXPECT_LT((total - 0.5 * Vec<2>(7, -3)).norm(), 1e-12);
+    const int corner = nearestNode(nodes.x, {1, 0}), middle = nearestNode(nodes.x, {1, 0.25});
+    EXPECT_NEAR(traction[corner][0] / traction[middle][0], 0.5, 1e-9);  // half an edge each
+
+    const auto fluid = makePatches<2>(c.state.mesh.fluid.nodes, topology.fluid, nodes.x);
+    const auto solid = makePatches<2>(c.state.mesh.solid.nodes, topology.solid, nodes.x);
+    const auto mass = solidMass<2>(c.problem, c.state.mesh.solid, nodes.X);
+    const Vec<2> a(0.5, 0.25), g(0, -9.81);
+    const auto R = momentumResidual<2>(mass, Points<2>(nodes.size(), a), g, fluid, {}, solid,
+                                       std::vector<Tensor<2>>(solid.nCells(), Tensor<2>::Zero()), traction);
+    Vec<2> sum = Vec<2>::Zero();
+    for (const auto& r : R) sum += r;
+    EXPECT_LT((sum - (1500 * 0.5 * (a - g) - total)).norm(), 1e-9);
+}
+
+}  // namespace
