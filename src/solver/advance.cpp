@@ -100,6 +100,7 @@ AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Sta
     report.seconds[0] = now() - start;
 
     releaseFromWalls<Dim>(controls.remeshing, topology, problem.gravity, fluidDensity<Dim>(problem), state.nodes);
+    state.ledger["released"] += cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes) - moved;
     landOnWalls<Dim>(controls.remeshing, topology, xOld, state);
     report.returned = returnPenetrating<Dim>(topology, controls.remeshing.wallDistance, state);
     report.mesh = remesh<Dim>(controls.remeshing, kinds, state);

@@ -34,8 +34,9 @@ TEST(ElasticColumn, consistentStart) {
     for (int i = 0; i < c.state.nodes.size(); ++i) {
         if (!topology.wet(i)) continue;
         EXPECT_LT(std::abs(c.state.nodes.p[i]), 1500.0);
-        if (c.state.nodes.x[i][1] > 0.5)
+        if (c.state.nodes.x[i][1] > 0.5) {
             EXPECT_NEAR(c.state.nodes.a[i][1], -10, 0.5) << c.state.nodes.x[i].transpose();
+        }
     }
 }
 

@@ -76,27 +76,35 @@ Result run(double h, double dt, double endTime, double correctionTime) {
     return r;
 }
 
-TEST(Sloshing, coarse) {
-    const auto r = run(0.04, 0.01, 2.5, 0);
-    EXPECT_NEAR(r.period, 1.1818, 0.02 * 1.1818);
-    EXPECT_LT(r.drift, 2e-3);
-    EXPECT_GT(r.late, 0.009);
+TEST(Sloshing, periodAndVolume) {
+    const auto coarse = run(0.04, 0.01, 2.5, 0);
+    EXPECT_NEAR(coarse.period, 1.1818, 0.01 * 1.1818);
+    EXPECT_LT(coarse.drift, 2e-3);
+    EXPECT_EQ(coarse.rejected, 0);
+    EXPECT_GT(coarse.late, 0.0095);  // no damping
+    EXPECT_LT(coarse.late, 0.0105);
+    const auto fine = run(0.02, 5e-3, 5, 0);
+    EXPECT_NEAR(fine.period, 1.1818, 0.01 * 1.1818);
+    EXPECT_LT(fine.drift, 2e-3);
+    EXPECT_EQ(fine.rejected, 0);
+    EXPECT_GT(fine.late, 0.0095);
+    EXPECT_LT(fine.late, 0.0105);
+    EXPECT_LT(std::abs(fine.period - 1.1818), std::abs(coarse.period - 1.1818));
 }
 
-TEST(Sloshing, coarseWithVolumeCorrection) {
+TEST(Sloshing, volumeCorrectionHoldsTheVolume) {
     const auto r = run(0.04, 0.01, 2.5, 0.05);
-    EXPECT_NEAR(r.period, 1.1818, 0.02 * 1.1818);
-    EXPECT_LT(r.drift, 2e-4);
+    EXPECT_NEAR(r.period, 1.1818, 0.01 * 1.1818);
+    EXPECT_LT(r.drift, 2e-5);
+    EXPECT_LT(r.rawDrift, 2e-3);
 }
 
-TEST(Sloshing, fine) {
+// set PFEM_LONG_TESTS
+TEST(Sloshing, finer) {
     if (!std::getenv("PFEM_LONG_TESTS")) GTEST_SKIP() << "set PFEM_LONG_TESTS";
-    for (const double correction : {0.0, 0.05}) {
-        const auto r = run(0.02, 5e-3, 5, correction);
-        EXPECT_NEAR(r.period, 1.1818, 0.01 * 1.1818);
-        EXPECT_LT(r.drift, 2e-3);
-        EXPECT_LT(r.rawDrift, 2e-3);
-    }
+    const auto r = run(0.01, 2.5e-3, 5, 0);
+    EXPECT_NEAR(r.period, 1.1818, 0.005 * 1.1818);
+    EXPECT_LT(r.drift, 2e-3);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <random>
 #include <string>
 
+#include "mesh/simplex.hpp"
 #include "mesher/mesher.hpp"
 #include "mesher/readMeshDict.hpp"
 #include "solver/advance.hpp"

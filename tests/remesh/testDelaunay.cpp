@@ -1,0 +1,153 @@
+// The constrained Delaunay triangulation.
+
+#include "remesh/delaunay.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+#include "support/cases.hpp"
+
+using namespace pfem;
+using namespace pfem::test;
+
+namespace {
+
+Points<2> randomPoints(int n, unsigned seed) {
+    Points<2> x = randomVectors(n, seed);
+    return x;
+}
+
+std::vector<int> all(const Points<2>& x) {
+    std::vector<int> list(x.size());
+    std::iota(list.begin(), list.end(), 0);
+    return list;
+}
+
+std::set<std::set<int>> edgesOf(const Triangulation<2>& t) {
+    std::set<std::set<int>> edges;
+    for (const auto& s : t.cells)
+        for (int k = 0; k < 3; ++k) edges.insert({s[k], s[(k + 1) % 3]});
+    return edges;
+}
+
+double area(const Points<2>& x, const Triangulation<2>& t) {
+    double sum = 0;
+    for (const auto& s : t.cells) sum += simplexMeasure<2>(x, s);
+    return sum;
+}
+
+/// > 0 when p lies inside the circle through the cell's nodes.
+double inCircle(const Points<2>& x, const Simplex<2>& s, const Vec<2>& p) {
+    Eigen::Matrix3d m;
+    for (int k = 0; k < 3; ++k) {
+        const Vec<2> d = x[s[k]] - p;
+        m.row(k) << d[0], d[1], d.squaredNorm();
+    }
+    return m.determinant();
+}
+
+TEST(Delaunay, circumcirclesAreEmpty) {
+    const auto x = randomPoints(150, 2);
+    const auto t = constrainedDelaunay(x, all(x), {}, {});
+    for (const auto& s : t.cells) {
+        EXPECT_GT(simplexMeasure<2>(x, s), 0);
+        for (int i = 0; i < 150; ++i)
+            if (std::find(s.begin(), s.end(), i) == s.end()) {
+                EXPECT_LT(inCircle(x, s, x[i]), 1e-12);
+            }
+    }
+}
+
+TEST(Delaunay, neighboursShareTheFaceOppositeToTheirNode) {
+    const auto x = randomPoints(80, 4);
+    const auto t = constrainedDelaunay(x, all(x), {}, {});
+    int hull = 0;
+    for (std::size_t e = 0; e < t.cells.size(); ++e)
+        for (int k = 0; k < 3; ++k) {
+            const int other = t.neighbours[e][k];
+            if (other < 0) {
+                ++hull;
+                continue;
+            }
+            for (int l = 1; l <= 2; ++l) {
+                const auto& cell = t.cells[other];
+                EXPECT_NE(std::find(cell.begin(), cell.end(), t.cells[e][(k + l) % 3]), cell.end());
+            }
+        }
+    EXPECT_GE(hull, 3);
+}
+
+TEST(Delaunay, onlyActivePointsOnce) {
+    auto x = randomPoints(20, 4);
+    x.push_back(x[3]);  // coincides with an earlier one
+    std::vector<int> active;
+    for (int i = 0; i < 21; ++i)
+        if (i != 7) active.push_back(i);
+    const auto t = constrainedDelaunay(x, active, {}, {});
+    std::set<int> used;
+    for (const auto& s : t.cells) used.insert(s.begin(), s.end());
+    EXPECT_EQ(used.count(7), 0u);
+    EXPECT_EQ(used.count(3) + used.count(20), 1u);
+    EXPECT_EQ(used.size(), 19u);
+}
+
+TEST(Delaunay, fixedFacesAppear) {
+    auto x = randomPoints(120, 6);
+    x.push_back({-2, 0.01});
+    x.push_back({2, -0.02});  // a wall right across
+    const auto t = constrainedDelaunay(x, all(x), {{120, 121}}, {});
+    EXPECT_EQ(edgesOf(t).count({120, 121}), 1u);
+    const Vec<2> a = x[120], n(-(x[121] - a)[1], (x[121] - a)[0]);
+    for (const auto& s : t.cells) {  // no triangle on both sides
+        double least = 0, most = 0;
+        for (int node : s) {
+            least = std::min(least, n.dot(x[node] - a));
+            most = std::max(most, n.dot(x[node] - a));
+        }
+        EXPECT_FALSE(least < -1e-12 && most > 1e-12);
+    }
+}
+
+TEST(Delaunay, repeatedAndCollinearFacesAreFine) {
+    // the side of a solid that is also a symmetry patch: every face twice, in both directions
+    Points<2> x;
+    for (int i = 0; i <= 10; ++i) x.push_back({0, 0.1 * i});
+    for (int i = 0; i <= 10; ++i) x.push_back({0.1, 0.1 * i});
+    std::vector<Face<2>> fixed;
+    for (int i = 0; i < 10; ++i) {
+        fixed.push_back({i, i + 1});
+        fixed.push_back({i + 1, i});
+        fixed.push_back({i, i + 1});
+    }
+    Triangulation<2> t;
+    ASSERT_NO_THROW(t = constrainedDelaunay(x, all(x), fixed, fixed));
+    EXPECT_NEAR(area(x, t), 0.1, 1e-14);
+}
+
+TEST(Delaunay, wishedFacesYield) {
+    const Points<2> x = {{-1, 0}, {1, 0}, {0, -3}, {0, 3}, {-0.5, 1}, {0.5, 1.1}};
+    const auto crossing = edgesOf(constrainedDelaunay(x, all(x), {{0, 1}}, {{2, 3}, {4, 5}}));
+    EXPECT_EQ(crossing.count({0, 1}), 1u);
+    EXPECT_EQ(crossing.count({2, 3}), 0u);  // would cross
+    EXPECT_EQ(crossing.count({4, 5}), 1u);
+    // a wished face that coincides with a fixed one, or comes twice, does not spoil the others
+    const auto twice = edgesOf(constrainedDelaunay(x, all(x), {{0, 1}}, {{1, 0}, {2, 3}, {4, 5}, {5, 4}, {0, 3}}));
+    EXPECT_EQ(twice.count({4, 5}), 1u);
+    EXPECT_EQ(twice.count({0, 3}), 1u);
+}
+
+TEST(Delaunay, wishedFacesAppearAgainstDelaunay) {
+    const Points<2> x = {{0, 0}, {4, 0}, {2, 0.5}, {2, -0.5}};  // Delaunay takes the short diagonal
+    EXPECT_EQ(edgesOf(constrainedDelaunay(x, all(x), {}, {})).count({0, 1}), 0u);
+    EXPECT_EQ(edgesOf(constrainedDelaunay(x, all(x), {}, {{0, 1}})).count({0, 1}), 1u);
+}
+
+TEST(Delaunay, crossingFixedFacesFailTheStep) {
+    const Points<2> x = {{-1, 0}, {1, 0}, {0, -1}, {0, 1}};
+    EXPECT_THROW(constrainedDelaunay(x, all(x), {{0, 1}, {2, 3}}, {}), StepFailure);
+}
+
+}  // namespace
