@@ -40,7 +40,7 @@ struct RemeshingControls {
         v("landingDistance", landingDistance, "-",
           "distance / h at which a fluid node that approaches a rigid wall lands on it and slides along", nonNegative);
         v("wallTension", wallTension, "-",
-          "suction / (rho g h) at which the contact line lets go of a rigid wall", nonNegative);
+          "suction / (rho (g h + v^2/2)) at which the contact line lets go of a rigid wall", nonNegative);
         v("keepSurface", keepSurface, "-",
           "the moved free surface constrains the triangulation: only contacts and breaks change the volume", any);
         v("distortion", distortion, "-",

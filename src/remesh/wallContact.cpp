@@ -82,11 +82,9 @@ void releaseFromWalls<2>(const RemeshingControls& controls, const Topology<2>& t
     for (int i = 0; i < nodes.size(); ++i) {
         if (nodes.wall[i] < 0) continue;
         const Line line(nodes.x, topology.walls[nodes.wall[i]].nodes);
-        // the part of the velocity: the round-off of a flow without gravity is no suction
-        const double unit = rho * (gravity.norm() * nodes.h[i] + 1e-6 * nodes.v[i].squaredNorm());
-        const double suction = -nodes.p[i] / (unit + 1e-300);
+        const double scale = rho * (gravity.norm() * nodes.h[i] + 0.5 * nodes.v[i].squaredNorm());
         const bool pulledOff = topology.isolated(i) && gravity.dot(line.inward) > 0;
-        if (!pulledOff && !(topology.freeSurface[i] && suction > controls.wallTension)) continue;
+        if (!pulledOff && !(topology.freeSurface[i] && -nodes.p[i] > controls.wallTension * scale)) continue;
         nodes.wall[i] = -1;
         nodes.p[i] = 0;
         nodes.x[i] += 1e-3 * nodes.h[i] * line.inward;
