@@ -30,7 +30,7 @@ struct ContinuityControls {
           oneOf({"weak", "strong"}));
         v("stabilisation", stabilisation, "-",
           "inertia: the full residual grad p - rho (g - dv/dt); bodyForce: grad p - rho g with accelerations on faces "
-          "(the paper; then schurScale 1, freeSurfaceScale 4 and complianceScale 2 converge best)",
+          "(the paper; then schurScale 1, freeSurfaceScale 4 and complianceScale 3 converge best)",
           oneOf({"inertia", "bodyForce"}));
         v("interfaceAcceleration", interfaceAcceleration, "-",
           "with bodyForce: moving solids enter the stabilisation with their normal acceleration", any);
