@@ -25,6 +25,20 @@ double clockNow() {
 }
 double cpuNow() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
+/// One step; when it fails for good, the last good state is written before the message.
+AdvanceReport advanceOrSave(const Problem<2>& problem, const Controls& controls, const Case& theCase,
+                            const TimeControl& clock, State<2>& state, double dt) {
+    try {
+        return advance(problem, controls, state, dt);
+    } catch (const StepFailure& failure) {
+        writeState(clock.folder(state.time), state, outputFields(problem, state));
+        writeSeries(theCase.root());
+        throw StepFailure(fmt::format("The step after t = {} s failed with deltaT = {:.3g} s and all its halvings:\n{}\n\n"
+                                      "The last good state is in the folder {}.",
+                                      state.time.value, dt, failure.what(), clock.name(state.time)));
+    }
+}
+
 int run(const Options& options) {
     const Case theCase = options.openCase();
     std::cout << startBanner(options, theCase) << "Create time\n\n" << std::flush;
@@ -46,7 +60,7 @@ int run(const Options& options) {
     while (clock.running(state.time)) {
         const auto [courantMax, courantMean] = courantRate(state);
         const double dt = clock.deltaT(state.time, courantMax);
-        const AdvanceReport report = advance(problem, controls, state, dt);
+        const AdvanceReport report = advanceOrSave(problem, controls, theCase, clock, state, dt);
         state.time = clock.advance(state.time, report.dt);
 
         std::cout << courantLines(courantMean, courantMax, report.dt) << "Time = " << clock.name(state.time) << "\n\n"

@@ -37,7 +37,7 @@ Probes<Dim>::Probes(const Dictionary& dict, const FunctionContext<Dim>& context)
         }
     }
     points_ =
-        dict.get<std::vector<Eigen::Vector3d>>(dict.found("probeLocations") ? "probeLocations" : "points");
+        dict.get<std::vector<Eigen::Vector3d>>(dict.found("points") ? "points" : "probeLocations");
     if (points_.empty()) dict.fatal("probeLocations", "no probe locations");
     fixed_ = dict.get("fixedLocations", true);
     dict.found("interpolationScheme");  // always linear in the triangle

@@ -22,14 +22,19 @@ struct TimeIntegrationControls {
 /// Sub-dictionary `momentum`.
 struct MomentumControls {
     double theta = 0;
+    std::string bulkRule = "local";
     double linearTolerance = 1e-6;
     int maxLinearIterations = 500;
 
     template <class Visitor>
     void entries(Visitor& v) {
         v("theta", theta, "-",
-          "bulk term theta rho h^2/dt of the fluid in the momentum MATRIX (preconditioner only; the paper: 1)",
+          "factor of the bulk term of the fluid in the momentum MATRIX (preconditioner only; the paper: 1)",
           nonNegative);
+        v("bulkRule", bulkRule, "-",
+          "local: rho h^2/dt of each patch; matrixMeans: one value that makes the bulk term's mean diagonal that of the "
+          "mass",
+          oneOf({"local", "matrixMeans"}));
         v("linearTolerance", linearTolerance, "-", "relative residual of the conjugate gradients", positive);
         v("maxLinearIterations", maxLinearIterations, "-", "limit of the conjugate gradients", atLeast(1));
     }

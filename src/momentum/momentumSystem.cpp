@@ -20,6 +20,30 @@ void axpy(double factor, const Points<Dim>& x, Points<Dim>& y) {
     for (std::size_t i = 0; i < x.size(); ++i) y[i] += factor * x[i];
 }
 
+/// rho h^2/dt with h^2 = Omega^{2/Dim}: an acoustic Courant number of one in each patch [Pa s].
+template <int Dim>
+std::vector<double> localBulk(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& fluid,
+                              double dt) {
+    std::vector<double> bulk(fluid.nNodes(), 0.0);
+    for (int i = 0; i < fluid.nNodes(); ++i) {
+        if (fluid.around->count(i) == 0) continue;
+        const double rho = problem.fluid(cells.material[fluid.around->cell[fluid.around->start[i]]]).rho;
+        bulk[i] = rho * std::pow(fluid.volume[i], 2.0 / Dim) / dt;
+    }
+    return bulk;
+}
+
+/// One value for all patches: mean diagonal of the mass matrix over that of sum_e |e| grad N_I . grad N_I / Dim.
+template <int Dim>
+std::vector<double> meanBulk(const Patches<Dim>& fluid, const std::vector<double>& mass, double massFactor) {
+    double massSum = 0, gradientSum = 0;
+    for (int i = 0; i < fluid.nNodes(); ++i)
+        if (fluid.around->count(i) > 0) massSum += massFactor * mass[i];
+    for (const auto& g : fluid.element)
+        for (const auto& gradN : g.gradN) gradientSum += g.measure * gradN.squaredNorm() / Dim;
+    return std::vector<double>(fluid.nNodes(), gradientSum > 0 ? massSum / gradientSum : 0);
+}
+
 }  // namespace
 
 template <int Dim>
@@ -51,12 +75,9 @@ MomentumSystem<Dim>::MomentumSystem(const Problem<Dim>& problem, const MomentumC
         if (material.kind == MaterialKind::fluid && material.fluid.mu > 0) viscous_ = true;
     if (controls_.theta > 0) {
         viscous_ = true;
-        bulk_.assign(mass.size(), 0.0);
-        for (int i = 0; i < topology.nNodes(); ++i) {
-            if (!topology.wet(i)) continue;
-            const double rho = problem.fluid(mesh.fluid.material[topology.fluid.cell[topology.fluid.start[i]]]).rho;
-            bulk_[i] = controls_.theta * rho * std::pow(fluid.volume[i], 2.0 / Dim) / newmark.dt;
-        }
+        bulk_ = controls_.bulkRule == "local" ? localBulk<Dim>(problem, mesh.fluid, fluid, newmark.dt)
+                                              : meanBulk<Dim>(fluid, mass, newmark.massFactor());
+        for (double& value : bulk_) value *= controls_.theta;
     }
 }
 

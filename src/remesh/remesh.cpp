@@ -1,6 +1,7 @@
 #include "remesh/remesh.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "mesh/simplex.hpp"
@@ -184,6 +185,14 @@ void updateDrops(const MovedMesh<2>& moved, const std::vector<int>& newIndex, co
 }
 
 }  // namespace
+
+bool isDistorted(double distortion, const Points<2>& x, const std::vector<Simplex<2>>& fluid) {
+    return distortion == 0 || std::any_of(fluid.begin(), fluid.end(), [&](const Simplex<2>& s) {
+        double squares = 0;
+        for (int k = 0; k < 3; ++k) squares += faceArea<2>(x, oppositeFace<2>(s, k)).squaredNorm();
+        return 4 * std::sqrt(3.0) * simplexMeasure<2>(x, s) < distortion * squares;
+    });
+}
 
 template <int Dim>
 RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKind>& kinds, State<Dim>& state) {

@@ -6,6 +6,10 @@
 
 namespace pfem {
 
+/// Is there a fluid triangle with a quality 4 sqrt(3) |e| / (sum of squared edges) (1: equilateral) below
+/// `distortion`? Always true when that is 0: remesh every step.
+bool isDistorted(double distortion, const Points<2>& x, const std::vector<Simplex<2>>& fluid);
+
 struct RemeshReport {
     int removed = 0;
     int inserted = 0;

@@ -90,6 +90,7 @@ AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Sta
     const double divTarget = volumeCorrection<Dim>(state, controls.continuity.volumeCorrectionTime);
     auto result = stepWithRetries<Dim>(problem, controls, state, topology, constraints, dt, divTarget, report);
     report.step = result.report;
+    const std::vector<int> wallsOld = state.nodes.wall;
     const Points<Dim> xOld = std::move(state.nodes.x);
     state.nodes = std::move(result.nodes);
 
@@ -103,7 +104,10 @@ AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Sta
     state.ledger["released"] += cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes) - moved;
     landOnWalls<Dim>(controls.remeshing, topology, xOld, state);
     report.returned = returnPenetrating<Dim>(topology, controls.remeshing.wallDistance, state);
-    report.mesh = remesh<Dim>(controls.remeshing, kinds, state);
+    const auto& cells = state.mesh.fluid.nodes;
+    const bool wallsChanged = wallsOld != state.nodes.wall || report.returned > 0;
+    if (wallsChanged || isDistorted(controls.remeshing.distortion, state.nodes.x, cells))
+        report.mesh = remesh<Dim>(controls.remeshing, kinds, state);
     report.seconds[1] = now() - start - report.seconds[0];
     return report;
 }

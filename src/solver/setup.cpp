@@ -1,5 +1,6 @@
 #include "solver/setup.hpp"
 
+#include <algorithm>
 #include <iostream>
 
 namespace pfem {
@@ -8,6 +9,11 @@ namespace {
 
 template <int Dim>
 Vec<Dim> readGravity(const Dictionary& dict) {
+    const auto dimensions = dict.get<std::vector<double>>("dimensions", {0, 1, -2, 0, 0, 0, 0});
+    const std::vector<double> acceleration = {0, 1, -2, 0, 0, 0, 0};
+    for (std::size_t k = 0; k < dimensions.size(); ++k)
+        if (dimensions[k] != acceleration[std::min<std::size_t>(k, 6)])
+            dict.fatal("dimensions", "gravity is an acceleration: dimensions [0 1 -2 0 0 0 0]");
     return dict.get<Eigen::Vector3d>("value").head<Dim>();
 }
 
@@ -23,7 +29,14 @@ Problem<Dim> readProblem(const Case& theCase, const Mesh<Dim>& mesh) {
     Problem<Dim> problem;
     const Dictionary materials = Dictionary::read(theCase.constant("materials"));
     const auto all = readMaterials(materials);
-    for (const auto& name : mesh.materials) problem.materials.push_back(findMaterial(all, name));
+    for (const auto& name : mesh.materials) {
+        try {
+            problem.materials.push_back(findMaterial(all, name));
+        } catch (const UserError& error) {
+            throw UserError(error.what() + std::string("\n\nThe mesh in the time folder asks for it; was it made from other dictionaries?"),
+                            materials.where());
+        }
+    }
     const auto check = [&](const Cells<Dim>& cells, MaterialKind kind, const char* word) {
         for (int m : cells.material)
             if (problem.materials[m].kind != kind)
@@ -36,7 +49,7 @@ Problem<Dim> readProblem(const Case& theCase, const Mesh<Dim>& mesh) {
     problem.gravity = readGravity<Dim>(g);
     const Dictionary conditions = Dictionary::read(theCase.constant("boundaryConditions"));
     problem.conditions = readBoundaryConditions<Dim>(conditions, mesh.patches);
-    for (const auto* dict : {&materials, &conditions}) warnUnused(*dict, std::cerr);
+    for (const auto* dict : {&materials, &g, &conditions}) warnUnused(*dict, std::cerr);
     return problem;
 }
 
