@@ -78,8 +78,9 @@ std::pair<double, double> courantRate(const State<Dim>& state) {
 }
 
 template <int Dim>
-AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, State<Dim>& state, double dt) {
+AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, State<Dim>& last, double dt) {
     AdvanceReport report;
+    State<Dim> state = last;  // whatever fails below, the last good state stays
     const double start = now();
     const auto& kinds = problem.conditions.kind;
     const auto topology = makeTopology<Dim>(state.mesh, kinds, state.nodes.wall);
@@ -109,6 +110,7 @@ AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Sta
     if (wallsChanged || isDistorted(controls.remeshing.distortion, state.nodes.x, cells))
         report.mesh = remesh<Dim>(controls.remeshing, kinds, state);
     report.seconds[1] = now() - start - report.seconds[0];
+    last = std::move(state);
     return report;
 }
 

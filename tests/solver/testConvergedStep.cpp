@@ -30,6 +30,7 @@ struct Change {
     const char* name;
     void (*apply)(Controls&);
 };
+std::ostream& operator<<(std::ostream& out, const Change& change) { return out << change.name; }
 
 class ConvergedStep : public testing::TestWithParam<Change> {};
 

@@ -86,6 +86,7 @@ INSTANTIATE_TEST_SUITE_P(, ElasticColumnOscillates, testing::Values("inertia", "
 struct ColumnCase {
     double rhoS, E;
 };
+std::ostream& operator<<(std::ostream& out, const ColumnCase& c) { return out << "rho_s " << c.rhoS << ", E " << c.E; }
 
 class ElasticColumnConverges : public testing::TestWithParam<ColumnCase> {};
 
