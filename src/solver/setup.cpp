@@ -36,8 +36,9 @@ Problem<Dim> readProblem(const Case& theCase, const Mesh<Dim>& mesh) {
         try {
             problem.materials.push_back(findMaterial(all, name));
         } catch (const UserError& error) {
+            const std::string near = nearestWord(name, materials.keys());
             throw UserError(error.what() + std::string("\n\nThe mesh in the time folder asks for it; was it made from other dictionaries?"),
-                            materials.where());
+                            near.empty() ? materials.where() : materials.where(near));
         }
     }
     const auto check = [&](const Cells<Dim>& cells, MaterialKind kind, const char* word) {
