@@ -56,12 +56,14 @@ int run(const Options& options) {
     functions.start(state);
 
     std::cout << "Starting time loop\n\n" << std::flush;
+    RunSummary summary;
     const double clockStart = clockNow(), timeStart = state.time.value;
     while (clock.running(state.time)) {
         const auto [courantMax, courantMean] = courantRate(state);
         const double dt = clock.deltaT(state.time, courantMax);
         const AdvanceReport report = advanceOrSave(problem, controls, theCase, clock, state, dt);
         state.time = clock.advance(state.time, report.dt);
+        summary.add(report);
 
         std::cout << courantLines(courantMean, courantMax, report.dt) << "Time = " << clock.name(state.time) << "\n\n"
                   << stepLines(report, state, firstVolume);
@@ -74,7 +76,7 @@ int run(const Options& options) {
         const double done = (state.time.value - timeStart) / (clock.controls().endTime - timeStart);
         std::cout << timeLines(cpuNow(), clockNow() - clockStart, done) << std::flush;
     }
-    std::cout << "End\n\n";
+    std::cout << summary.text(clockNow() - clockStart) << "End\n\n";
     return 0;
 }
 
