@@ -16,7 +16,7 @@ struct ContinuityControls {
     std::string freeSurfacePressure = "weak";
     std::string stabilisation = "inertia";
     bool interfaceAcceleration = true;
-    double volumeCorrectionTime = 0.02;
+    double volumeCorrectionTime = 0.05;
 
     template <class Visitor>
     void entries(Visitor& v) {

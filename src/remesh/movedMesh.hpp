@@ -11,7 +11,8 @@ namespace pfem {
 template <int Dim>
 struct MovedMesh {
     Points<Dim> x;
-    std::vector<int> wall;  // as Nodes::wall
+    std::vector<int> wall;           // as Nodes::wall
+    std::vector<double> dropVolume;  // as Nodes::dropVolume
     std::vector<Simplex<Dim>> fluid;
     std::vector<Simplex<Dim>> solid;
     Topology<Dim> topology;

@@ -26,8 +26,8 @@ AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Sta
 template <int Dim>
 double totalVolume(const State<Dim>& state);
 
-/// Largest |v|/h over the nodes of fluid and solid cells [1/s]: times dt the Courant number. Also its mean. Particles in
-/// free flight do not count: their path is exact.
+/// Largest |v|/h over all nodes [1/s]: times dt the Courant number. Also its mean. Particles in free flight count: they
+/// are the first to hit something.
 template <int Dim>
 std::pair<double, double> courantRate(const State<Dim>& state);
 
