@@ -31,7 +31,7 @@ double totalVolume(const State<Dim>& state);
 template <int Dim>
 std::pair<double, double> courantRate(const State<Dim>& state);
 
-/// p and a at the very start of a run that agree with the forces. Throws StepFailure where they cannot be found.
+/// p and a at the very start of a run that agree with the forces, and v that is free of divergence. Throws StepFailure where they cannot be found.
 template <int Dim>
 void startConsistently(const Problem<Dim>& problem, const Controls& controls, State<Dim>& state, double dt);
 
