@@ -45,7 +45,7 @@ int run(const Options& options) {
     TimeControl clock(theCase);
     std::cout << "Create mesh for time = " << clock.startName() << "\n\n" << std::flush;
     State<2> state = readState<2>(clock.startFolder());
-    const Problem<2> problem = readProblem<2>(theCase, state.mesh);
+    const Problem<2> problem = readProblem(theCase, state);
     const Controls controls = readControls(theCase);
     FunctionObjects<2> functions(theCase, clock.dictionary(), clock.startName(), clock.controls().writePrecision);
     warnUnused(clock.dictionary(), std::cerr);

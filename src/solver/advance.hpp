@@ -11,7 +11,7 @@ struct AdvanceReport {
     RemeshReport mesh;
     double dt = 0;      // the step that was accepted [s]
     int rejected = 0;   // tries that were not
-    int returned = 0;   // nodes put back from behind walls or out of solids
+    int returned = 0;   // nodes put back out of solids
     std::vector<std::string> reasons;  // of the rejections
     double seconds[2] = {0, 0};        // wall time of the step and of the remeshing
 };
@@ -31,7 +31,7 @@ double totalVolume(const State<Dim>& state);
 template <int Dim>
 std::pair<double, double> courantRate(const State<Dim>& state);
 
-/// p and a at the very start of a run that agree with the forces.
+/// p and a at the very start of a run that agree with the forces, and v that is free of divergence. Throws StepFailure where they cannot be found.
 template <int Dim>
 void startConsistently(const Problem<Dim>& problem, const Controls& controls, State<Dim>& state, double dt);
 

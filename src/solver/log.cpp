@@ -26,8 +26,9 @@ std::string stepLines(const AdvanceReport& report, const State<Dim>& state, doub
     for (const auto& [cause, amount] : state.ledger)
         if (cause != "correction") raw += amount;
     const double volume = totalVolume<Dim>(state);
-    text += fmt::format("Fluid volume = {:.6g}, change = {:.3g} %, raw = {:.3g} %\n", volume,
-                        100 * (volume / firstVolume - 1), 100 * raw / firstVolume);
+    if (firstVolume > 0)  // a case may have solids only
+        text += fmt::format("Fluid volume = {:.6g}, change = {:.3g} %, raw = {:.3g} %\n", volume,
+                            100 * (volume / firstVolume - 1), 100 * raw / firstVolume);
     return text;
 }
 

@@ -11,7 +11,7 @@ namespace pfem {
 /// "Courant Number mean: ... max: ..." and "deltaT = ...".
 std::string courantLines(double mean, double max, double dt);
 
-/// The solves, remeshing, mass and progress of one step.
+/// The solves, remeshing and, where there is fluid, the volume of one step.
 template <int Dim>
 std::string stepLines(const AdvanceReport& report, const State<Dim>& state, double firstVolume);
 
