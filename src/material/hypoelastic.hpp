@@ -10,6 +10,10 @@ namespace pfem {
 template <int Dim>
 Tensor<Dim> stressTensor(const Stress<Dim>& sigma);
 
+/// The stored form of a symmetric tensor; 2D: with its zz component, 3D: zz is not used.
+template <int Dim>
+Stress<Dim> packStress(const Tensor<Dim>& t, double zz);
+
 /// C : D for isotropic elasticity (2D: plane strain, the zz component included).
 template <int Dim>
 Stress<Dim> elasticStress(const Hypoelastic& material, const Tensor<Dim>& D);

@@ -4,8 +4,24 @@
 #include <string>
 
 #include "dictionary/entries.hpp"
+#include "integration/nodalPatches.hpp"
 
 namespace pfem {
+
+/// At the top of system/pfemSolution.
+struct IntegrationControls {
+    std::string integration = "nodal";
+
+    Integration scheme() const { return integration == "nodal" ? Integration::nodal : Integration::elemental; }
+
+    template <class Visitor>
+    void entries(Visitor& v) {
+        v("integration", integration, "-",
+          "where fluids and solids have their stress: nodal (in patches of nodes; solids rather too soft) or elemental (in "
+          "triangles; solids rather too stiff)",
+          oneOf({"nodal", "elemental"}));
+    }
+};
 
 /// Sub-dictionary `timeIntegration`.
 struct TimeIntegrationControls {
@@ -47,8 +63,10 @@ struct SolidControls {
 
     template <class Visitor>
     void entries(Visitor& v) {
-        v("stressUpdate", stressUpdate, "-", "rotatedMidpoint (objective) or paper (equation (39) as printed)",
-          oneOf({"rotatedMidpoint", "paper"}));
+        v("stressUpdate", stressUpdate, "-",
+          "rotatedMidpoint (objective), paper (equation (39) as printed), neoHookean (hyperelastic, from the reference "
+          "positions)",
+          oneOf({"rotatedMidpoint", "paper", "neoHookean"}));
         v("damping", damping, "-", "alpha of the zig-zag damper, tau_s = alpha h sqrt(rho/E)", nonNegative);
     }
 };

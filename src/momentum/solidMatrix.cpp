@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "integration/gradientRow.hpp"
 #include "momentum/solidStress.hpp"
 
 namespace pfem {
@@ -20,47 +21,6 @@ Tensor<Dim> tangentBasis(const Vec<Dim>& n) {
         basis.col(1) = n.cross(Vec<3>(basis.col(0)));
     }
     return basis;
-}
-
-/// One row of a gradient operator: nodes and Omega G_J (or |e| grad N_J).
-template <int Dim>
-struct GradientRow {
-    std::vector<int> nodes;
-    std::vector<Vec<Dim>> weighted;
-    double volume = 0;
-
-    void add(int node, const Vec<Dim>& g) {
-        const auto found = std::find(nodes.begin(), nodes.end(), node);
-        if (found != nodes.end()) {
-            weighted[found - nodes.begin()] += g;
-        } else {
-            nodes.push_back(node);
-            weighted.push_back(g);
-        }
-    }
-};
-
-/// Row of nodal patch I: Omega G_IJ = sum_e |e|/(d+1) grad N_J.
-template <int Dim>
-GradientRow<Dim> nodalRow(const Patches<Dim>& patches, int i) {
-    GradientRow<Dim> row;
-    row.volume = patches.volume[i];
-    const NodeToCells& around = *patches.around;
-    for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
-        const auto& g = patches.element[around.cell[s]];
-        const auto& cell = patches.cell(around.cell[s]);
-        for (int k = 0; k <= Dim; ++k) row.add(cell[k], g.measure / (Dim + 1) * g.gradN[k]);
-    }
-    return row;
-}
-
-template <int Dim>
-GradientRow<Dim> elementRow(const Patches<Dim>& patches, int e) {
-    GradientRow<Dim> row;
-    const auto& g = patches.element[e];
-    row.volume = g.measure;
-    for (int k = 0; k <= Dim; ++k) row.add(patches.cell(e)[k], g.measure * g.gradN[k]);
-    return row;
 }
 
 /// Add factor * (Omega G)^T C (Omega G) / Omega.
@@ -87,13 +47,13 @@ void addStiffness(SymmetricMatrix& A, const SolidDofs<Dim>& dofs, const Hypoelas
         }
 }
 
-/// Pattern: nodes that share a patch (two rings of the mesh).
+/// Pattern: nodes that share a stress point (nodal patches: two rings of the mesh).
 template <int Dim>
 SymmetricMatrix emptySolidMatrix(const Patches<Dim>& patches, const SolidDofs<Dim>& dofs) {
     std::vector<std::vector<int>> lower(dofs.n);
-    for (int i = 0; i < patches.nNodes(); ++i) {
-        if (patches.around->count(i) == 0) continue;
-        const GradientRow<Dim> row = nodalRow<Dim>(patches, i);
+    for (int p = 0; p < nStressPoints<Dim>(patches); ++p) {
+        if (!isStressPoint<Dim>(patches, p)) continue;
+        const GradientRow<Dim> row = pointRow<Dim>(patches, p);
         for (int a : row.nodes)
             for (int b : row.nodes)
                 for (int ca = 0; ca < dofs.count[a]; ++ca)
@@ -141,18 +101,16 @@ SymmetricMatrix solidMatrix(const Problem<Dim>& problem, const SolidControls& co
             A.add(dofs.first[node] + c, dofs.first[node] + c, newmark.massFactor() * mass[node]);
 
     const double tangent = controls.stressUpdate == "paper" ? newmark.dt : 0.5 * newmark.dt;
-    for (int i = 0; i < patches.nNodes(); ++i) {
-        if (patches.around->count(i) == 0) continue;
-        const Hypoelastic& material = solidMaterial<Dim>(problem, cells, *patches.around, i);
-        addStiffness<Dim>(A, dofs, material, tangent - dampingTime(material, controls.damping, h[i]),
-                          nodalRow<Dim>(patches, i));
+    for (int p = 0; p < nStressPoints<Dim>(patches); ++p) {
+        if (!isStressPoint<Dim>(patches, p)) continue;
+        const Hypoelastic& material = solidMaterial<Dim>(problem, cells, patches, p);
+        const double tau = dampingTime(material, controls.damping, atPoint<Dim>(patches, h, p));
+        addStiffness<Dim>(A, dofs, material, tangent - tau, pointRow<Dim>(patches, p));
     }
     for (int e = 0; e < patches.nCells(); ++e) {
         const Hypoelastic& material = problem.solid(cells.material[e]);
-        double size = 0;
-        for (int node : patches.cell(e)) size += h[node] / (Dim + 1);
-        addStiffness<Dim>(A, dofs, material, dampingTime(material, controls.damping, size),
-                          elementRow<Dim>(patches, e));
+        const double tau = dampingTime(material, controls.damping, cellMean<Dim>(patches, h, e));
+        addStiffness<Dim>(A, dofs, material, tau, elementRow<Dim>(patches, e));
     }
     return A;
 }

@@ -1,31 +1,37 @@
 #pragma once
-// Stress of the solid's patches at the end of the step (36)-(39), and the zig-zag damper.
+// Stress of the solid's stress points at the end of the step (36)-(39), and the zig-zag damper.
 
-#include "integration/nodalPatches.hpp"
+#include "integration/stressPoints.hpp"
 #include "momentum/controls.hpp"
 #include "momentum/newmark.hpp"
 #include "state/problem.hpp"
 
 namespace pfem {
 
-/// Material of each solid node: that of its first cell (bodies of different materials do not share patches).
+/// Material of a stress point.
 template <int Dim>
-const Hypoelastic& solidMaterial(const Problem<Dim>& problem, const Cells<Dim>& cells, const NodeToCells& around,
-                                 int node);
+const Hypoelastic& solidMaterial(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
+                                 int point);
 
-/// sigma^{n+1} from sigma^n and the trial motion, evaluated afresh at every iteration.
-///   midpoint: patches at (x^n + x)/2 (rotatedMidpoint);  end: patches at x (paper)
+/// The positions whose gradients the stress update takes: (x^n + x)/2 (rotatedMidpoint), x (paper), X (neoHookean).
+template <int Dim>
+Points<Dim> gradientPositions(const SolidControls& controls, const Nodes<Dim>& old, const Nodes<Dim>& trial);
+
+/// sigma^{n+1} of every stress point from sigma^n (stored in old.sigma or cells.sigma) and the trial motion, evaluated
+/// afresh at every iteration; of points outside the material the stored value.
+///   patches: at gradientPositions
 template <int Dim>
 std::vector<Stress<Dim>> solidStress(const Problem<Dim>& problem, const SolidControls& controls,
-                                     const Cells<Dim>& cells, const Patches<Dim>& midpoint,
-                                     const Patches<Dim>& end, const Nodes<Dim>& old, const Nodes<Dim>& trial,
-                                     double dt);
+                                     const Cells<Dim>& cells, const Patches<Dim>& patches, const Nodes<Dim>& old,
+                                     const Nodes<Dim>& trial, double dt);
 
-/// Element stress that makes the nodal force: the mean of the cell's nodal stresses plus the damper's
-/// tau_s (C d_e - mean over the cell's nodes of C d_I), which vanishes for linear velocity fields.
+/// Element stress that makes the nodal force from the points' stress `sigma` (fromPoints), plus the damper's
+/// tau_s C : (d_e - fromPoints(d)_e), which vanishes for linear velocity fields and for elemental integration.
+///   patches: at gradientPositions;  end: at trial.x
 template <int Dim>
 std::vector<Tensor<Dim>> solidElementStress(const Problem<Dim>& problem, const SolidControls& controls,
-                                            const Cells<Dim>& cells, const Patches<Dim>& end,
+                                            const Cells<Dim>& cells, const Patches<Dim>& patches,
+                                            const Patches<Dim>& end, const std::vector<Stress<Dim>>& sigma,
                                             const Nodes<Dim>& trial);
 
 /// tau_s = alpha h sqrt(rho/E) [s].

@@ -57,6 +57,7 @@ Controls readControls(const Case& theCase) {
     Controls controls;
     if (!std::filesystem::exists(theCase.system("pfemSolution"))) return controls;
     const Dictionary dict = Dictionary::read(theCase.system("pfemSolution"));
+    readEntries(dict, controls.integration);
     readPart(dict, "timeIntegration", controls.timeIntegration);
     readPart(dict, "convergence", controls.convergence);
     readPart(dict, "momentum", controls.momentum);

@@ -22,6 +22,7 @@ void collect(const std::string& name, Part part, Values& values) {
 
 Values valuesOf(const Controls& controls) {
     Values values;
+    collect("", controls.integration, values);
     collect("timeIntegration", controls.timeIntegration, values);
     collect("convergence", controls.convergence, values);
     collect("momentum", controls.momentum, values);
