@@ -12,13 +12,13 @@ double cellVolume(const Points<Dim>& x, const std::vector<Simplex<Dim>>& cells) 
 }
 
 template <int Dim>
-MovedMesh<Dim> movedMesh(const State<Dim>& state, const std::vector<PatchKind>& kinds) {
+MovedMesh<Dim> movedMesh(const State<Dim>& state, Topology<Dim> topology) {
     MovedMesh<Dim> moved;
     moved.x = state.nodes.x;
     moved.wall = state.nodes.wall;
     moved.fluid = state.mesh.fluid.nodes;
     moved.solid = state.mesh.solid.nodes;
-    moved.topology = makeTopology<Dim>(state.mesh, kinds, state.nodes.wall);
+    moved.topology = std::move(topology);
     moved.volume = cellVolume<Dim>(moved.x, moved.fluid);
     moved.patchVolume.assign(moved.x.size(), 0.0);
     for (const auto& s : moved.fluid)
@@ -27,6 +27,6 @@ MovedMesh<Dim> movedMesh(const State<Dim>& state, const std::vector<PatchKind>& 
 }
 
 template double cellVolume<2>(const Points<2>&, const std::vector<Simplex<2>>&);
-template MovedMesh<2> movedMesh<2>(const State<2>&, const std::vector<PatchKind>&);
+template MovedMesh<2> movedMesh<2>(const State<2>&, Topology<2>);
 
 }  // namespace pfem

@@ -19,8 +19,9 @@ struct MovedMesh {
     double volume = 0;                // of all fluid cells
 };
 
+/// `topology`: of the state's mesh.
 template <int Dim>
-MovedMesh<Dim> movedMesh(const State<Dim>& state, const std::vector<PatchKind>& kinds);
+MovedMesh<Dim> movedMesh(const State<Dim>& state, Topology<Dim> topology);
 
 /// Volume of the fluid cells, and volume carried by isolated particles.
 template <int Dim>

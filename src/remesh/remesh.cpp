@@ -163,23 +163,24 @@ std::vector<int> activeNodes(const State<2>& state) {
     return list;
 }
 
-/// A node that has lost its last triangle carries its patch's volume; one that has found one gives it back.
-void updateDrops(const MovedMesh<2>& moved, const std::vector<int>& newIndex, const std::vector<PatchKind>& kinds,
-                 State<2>& state) {
-    const auto topology = makeTopology<2>(state.mesh, kinds, state.nodes.wall);
+/// A node that has lost its last triangle carries its patch's volume; one that has found one gives it back. Nodes
+/// without triangles have no pressure.
+void updateDrops(const MovedMesh<2>& moved, const std::vector<int>& newIndex, State<2>& state) {
+    std::vector<unsigned char> wet(state.nodes.size(), 0);
+    for (const auto& s : state.mesh.fluid.nodes)
+        for (int node : s) wet[node] = 1;
     double change = 0;
     for (std::size_t i = 0; i < moved.x.size(); ++i) {
-        if (newIndex[i] < 0) continue;  // removed nodes were wet: they carried nothing
         const int node = newIndex[i];
+        if (node < 0) continue;  // removed nodes were wet: they carried nothing
         double& carried = state.nodes.dropVolume[node];
         const double before = carried;
-        if (!topology.isolated(node))
+        if (wet[node] || moved.topology.held(static_cast<int>(i)))
             carried = 0;
         else if (moved.topology.wet(static_cast<int>(i)))
             carried = moved.patchVolume[i];
         change += carried - before;
-        if (topology.isolated(node)) state.nodes.p[node] = 0;
-        if (!topology.wet(node)) state.nodes.p[node] = 0;
+        if (!wet[node]) state.nodes.p[node] = 0;
     }
     state.ledger["isolated"] += change;
 }
@@ -195,8 +196,9 @@ bool isDistorted(double distortion, const Points<2>& x, const std::vector<Simple
 }
 
 template <int Dim>
-RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKind>& kinds, State<Dim>& state) {
-    const MovedMesh<Dim> moved = movedMesh<Dim>(state, kinds);
+RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKind>& kinds, Topology<Dim> topology,
+                    State<Dim>& state) {
+    const MovedMesh<Dim> moved = movedMesh<Dim>(state, std::move(topology));
     const auto plan = planNodes<Dim>(controls, moved, state.nodes.h, keptNodes<Dim>(state, moved.topology));
     const int material = state.mesh.fluid.material.empty() ? 0 : state.mesh.fluid.material[0];
     const auto newIndex = carryOut<Dim>(plan, moved, state);
@@ -213,7 +215,7 @@ RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKi
     state.ledger["stretched"] -= selected.stretched;
     state.ledger["released"] -= selected.released;
     state.ledger["reshaped"] += change - selected.contact + selected.stretched + selected.released;
-    updateDrops(moved, newIndex, kinds, state);
+    updateDrops(moved, newIndex, state);
 
     RemeshReport report;
     report.removed = std::accumulate(plan.removed.begin(), plan.removed.end(), 0);
@@ -221,6 +223,6 @@ RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKi
     return report;
 }
 
-template RemeshReport remesh<2>(const RemeshingControls&, const std::vector<PatchKind>&, State<2>&);
+template RemeshReport remesh<2>(const RemeshingControls&, const std::vector<PatchKind>&, Topology<2>, State<2>&);
 
 }  // namespace pfem

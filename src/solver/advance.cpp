@@ -109,7 +109,11 @@ AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Sta
     const auto& cells = state.mesh.fluid.nodes;
     const bool wallsChanged = wallsOld != state.nodes.wall || report.returned > 0;
     if (wallsChanged || isDistorted(controls.remeshing.distortion, state.nodes.x, cells))
-        report.mesh = remesh<Dim>(controls.remeshing, kinds, state);
+        report.mesh = remesh<Dim>(controls.remeshing, kinds,
+                                  wallsOld == state.nodes.wall
+                                      ? topology
+                                      : makeTopology<Dim>(state.mesh, kinds, state.nodes.wall),
+                                  state);
     report.seconds[1] = now() - start - report.seconds[0];
     last = std::move(state);
     return report;

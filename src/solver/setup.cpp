@@ -3,17 +3,20 @@
 #include <algorithm>
 #include <iostream>
 
+#include "dictionary/dimensions.hpp"
+
 namespace pfem {
 
 namespace {
 
 template <int Dim>
 Vec<Dim> readGravity(const Dictionary& dict) {
-    const auto dimensions = dict.get<std::vector<double>>("dimensions", {0, 1, -2, 0, 0, 0, 0});
-    const std::vector<double> acceleration = {0, 1, -2, 0, 0, 0, 0};
-    for (std::size_t k = 0; k < dimensions.size(); ++k)
-        if (dimensions[k] != acceleration[std::min<std::size_t>(k, 6)])
+    if (dict.found("dimensions")) {
+        TokenReader reader = dict.reader("dimensions");
+        if (!sameDimensions(readDimensions(reader), {0, 1, -2, 0, 0, 0, 0}))
             dict.fatal("dimensions", "gravity is an acceleration: dimensions [0 1 -2 0 0 0 0]");
+        reader.end();
+    }
     return dict.get<Eigen::Vector3d>("value").head<Dim>();
 }
 
@@ -33,8 +36,9 @@ Problem<Dim> readProblem(const Case& theCase, const Mesh<Dim>& mesh) {
         try {
             problem.materials.push_back(findMaterial(all, name));
         } catch (const UserError& error) {
+            const std::string near = nearestWord(name, materials.keys());
             throw UserError(error.what() + std::string("\n\nThe mesh in the time folder asks for it; was it made from other dictionaries?"),
-                            materials.where());
+                            near.empty() ? materials.where() : materials.where(near));
         }
     }
     const auto check = [&](const Cells<Dim>& cells, MaterialKind kind, const char* word) {

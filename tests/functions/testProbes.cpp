@@ -219,7 +219,7 @@ TEST_F(Functions, MistakesPrintTheValidWords) {
     const std::pair<const char*, const char*> mistakes[] = {
         {"a { type banana; }", "massLedger"},
         {"a { type probes; fields (banana); points ((0 0 0)); }", "sigma"},
-        {"a { type probes; fields (p); }", "points"},
+        {"a { type probes; fields (p); }", "probeLocations"},
         {"a { type probes; fields (p); points (); }", "probe"},
         {"a { type probes; fields (p); points ((0 0 0)); writeControl banana; }", "adjustableRunTime"},
         {"a 3;", "not a dictionary"},
