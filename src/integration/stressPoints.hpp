@@ -9,6 +9,13 @@
 
 namespace pfem {
 
+/// The same patches with the nodes as stress points.
+template <int Dim>
+Patches<Dim> withNodalPoints(Patches<Dim> patches) {
+    patches.scheme = Integration::nodal;
+    return patches;
+}
+
 /// Length of a field on the stress points; nodal: all nodes of the mesh, those outside the material included.
 template <int Dim>
 int nStressPoints(const Patches<Dim>& patches) {

@@ -58,11 +58,16 @@ struct MomentumControls {
 
 /// Sub-dictionary `solid`.
 struct SolidControls {
+    std::string formulation = "velocity";
     std::string stressUpdate = "rotatedMidpoint";
     double damping = 0.1;
 
     template <class Visitor>
     void entries(Visitor& v) {
+        v("formulation", formulation, "-",
+          "velocity; velocityPressure: the pressure is a field of the nodes and only the deviatoric stress is integrated as "
+          "`integration` says (elemental: no locking up to nu -> 0.5; not with neoHookean)",
+          oneOf({"velocity", "velocityPressure"}));
         v("stressUpdate", stressUpdate, "-",
           "rotatedMidpoint (objective), paper (equation (39) as printed), neoHookean (hyperelastic, from the reference "
           "positions)",

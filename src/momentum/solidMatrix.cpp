@@ -23,12 +23,20 @@ Tensor<Dim> tangentBasis(const Vec<Dim>& n) {
     return basis;
 }
 
-/// Add factor * (Omega G)^T C (Omega G) / Omega.
+/// Isotropic C = lambda I (x) I + 2 mu, times a time.
+struct Moduli {
+    double lambda = 0, mu = 0;  // [Pa s]
+};
+
+Moduli elastic(const Hypoelastic& m, double time) { return {time * m.lambda(), time * m.mu()}; }
+Moduli deviatoric(const Hypoelastic& m, double time) { return {-2.0 / 3 * time * m.mu(), time * m.mu()}; }
+Moduli volumetric(const Hypoelastic& m, double time) { return {time * m.kappa(), 0}; }
+
+/// Add (Omega G)^T C (Omega G) / Omega.
 template <int Dim>
-void addStiffness(SymmetricMatrix& A, const SolidDofs<Dim>& dofs, const Hypoelastic& material, double factor,
-                  const GradientRow<Dim>& row) {
-    const double lambda = material.lambda() * factor / row.volume;
-    const double mu = material.mu() * factor / row.volume;
+void addStiffness(SymmetricMatrix& A, const SolidDofs<Dim>& dofs, const Moduli& moduli, const GradientRow<Dim>& row) {
+    const double lambda = moduli.lambda / row.volume;
+    const double mu = moduli.mu / row.volume;
     for (std::size_t a = 0; a < row.nodes.size(); ++a)
         for (std::size_t b = 0; b < row.nodes.size(); ++b) {
             const int la = dofs.local[row.nodes[a]];
@@ -95,23 +103,33 @@ SymmetricMatrix solidMatrix(const Problem<Dim>& problem, const SolidControls& co
                             const Patches<Dim>& patches, const SolidDofs<Dim>& dofs,
                             const std::vector<double>& mass, const std::vector<double>& h,
                             const Newmark& newmark) {
-    SymmetricMatrix A = emptySolidMatrix<Dim>(patches, dofs);
+    const bool withPressure = controls.formulation == "velocityPressure";
+    SymmetricMatrix A = emptySolidMatrix<Dim>(withPressure ? withNodalPoints<Dim>(patches) : patches, dofs);
     for (int node : dofs.node)
         for (int c = 0; c < dofs.count[node]; ++c)
             A.add(dofs.first[node] + c, dofs.first[node] + c, newmark.massFactor() * mass[node]);
 
+    // strain: dt times the end-point rate, or times the mean of both ends
     const double tangent = controls.stressUpdate == "paper" ? newmark.dt : 0.5 * newmark.dt;
     for (int p = 0; p < nStressPoints<Dim>(patches); ++p) {
         if (!isStressPoint<Dim>(patches, p)) continue;
         const Hypoelastic& material = solidMaterial<Dim>(problem, cells, patches, p);
+        const auto row = pointRow<Dim>(patches, p);
+        addStiffness<Dim>(A, dofs, withPressure ? deviatoric(material, tangent) : elastic(material, tangent), row);
         const double tau = dampingTime(material, controls.damping, atPoint<Dim>(patches, h, p));
-        addStiffness<Dim>(A, dofs, material, tangent - tau, pointRow<Dim>(patches, p));
+        addStiffness<Dim>(A, dofs, elastic(material, -tau), row);
     }
     for (int e = 0; e < patches.nCells(); ++e) {
         const Hypoelastic& material = problem.solid(cells.material[e]);
         const double tau = dampingTime(material, controls.damping, cellMean<Dim>(patches, h, e));
-        addStiffness<Dim>(A, dofs, material, tau, elementRow<Dim>(patches, e));
+        addStiffness<Dim>(A, dofs, elastic(material, tau), elementRow<Dim>(patches, e));
     }
+    if (!withPressure) return A;
+    const auto atNodes = withNodalPoints<Dim>(patches);
+    for (int i = 0; i < atNodes.nNodes(); ++i)
+        if (isStressPoint<Dim>(atNodes, i))
+            addStiffness<Dim>(A, dofs, volumetric(solidMaterial<Dim>(problem, cells, atNodes, i), tangent),
+                              pointRow<Dim>(atNodes, i));
     return A;
 }
 

@@ -25,6 +25,7 @@ SolidDofs<Dim> solidDofs(const NodeToCells& solid, const NodeConstraints<Dim>& c
 
 /// A_s = massFactor * m + (c - tau_s) K_points + tau_s K_element,  K = sum Omega G^T C G,
 /// c = dt (paper) or dt/2 (the others); m = solid + fluid mass per node. With elemental integration both K are one.
+/// velocityPressure: c K_points has the deviatoric part of C alone, the nodal patches give its bulk part kappa I (x) I.
 template <int Dim>
 SymmetricMatrix solidMatrix(const Problem<Dim>& problem, const SolidControls& controls, const Cells<Dim>& cells,
                             const Patches<Dim>& patches, const SolidDofs<Dim>& dofs,

@@ -52,10 +52,13 @@ Points<Dim> gradientPositions(const SolidControls& controls, const Nodes<Dim>& o
     return middle;
 }
 
+namespace {
+
+/// sigma^{n+1} at the stress points by the law that the user has chosen.
 template <int Dim>
-std::vector<Stress<Dim>> solidStress(const Problem<Dim>& problem, const SolidControls& controls,
-                                     const Cells<Dim>& cells, const Patches<Dim>& patches, const Nodes<Dim>& old,
-                                     const Nodes<Dim>& trial, double dt) {
+std::vector<Stress<Dim>> updatedStress(const Problem<Dim>& problem, const SolidControls& controls,
+                                       const Cells<Dim>& cells, const Patches<Dim>& patches, const Nodes<Dim>& old,
+                                       const Nodes<Dim>& trial, double dt) {
     auto sigma = storedAtPoints<Dim>(patches, old.sigma, cells.sigma);
     const auto update = [&](const Points<Dim>& field, const auto& law) {
         const auto gradient = toPoints<Dim>(patches, elementGradient<Dim>(patches, field));
@@ -79,32 +82,60 @@ std::vector<Stress<Dim>> solidStress(const Problem<Dim>& problem, const SolidCon
     return sigma;
 }
 
+}  // namespace
+
+template <int Dim>
+SolidStress<Dim> solidStress(const Problem<Dim>& problem, const SolidControls& controls, const Cells<Dim>& cells,
+                             const Patches<Dim>& patches, const Nodes<Dim>& old, const Nodes<Dim>& trial, double dt) {
+    SolidStress<Dim> stress;
+    stress.point = updatedStress<Dim>(problem, controls, cells, patches, old, trial, dt);
+    if (controls.formulation == "velocity") return stress;
+    const auto atNodes = updatedStress<Dim>(problem, controls, cells, withNodalPoints<Dim>(patches), old, trial, dt);
+    for (auto& sigma : stress.point) sigma = deviator<Dim>(sigma);
+    for (int i = 0; i < patches.nNodes(); ++i)
+        stress.pressure.push_back(patches.around->count(i) > 0 ? pressure<Dim>(atNodes[i]) : 0);
+    return stress;
+}
+
 template <int Dim>
 std::vector<Tensor<Dim>> solidElementStress(const Problem<Dim>& problem, const SolidControls& controls,
                                             const Cells<Dim>& cells, const Patches<Dim>& patches,
-                                            const Patches<Dim>& end, const std::vector<Stress<Dim>>& sigma,
+                                            const Patches<Dim>& end, const SolidStress<Dim>& stress,
                                             const Nodes<Dim>& trial) {
-    auto stress = controls.stressUpdate == "neoHookean" ? hyperelasticElementStress<Dim>(patches, sigma, trial.x)
-                                                        : cauchyElementStress<Dim>(end, sigma);
+    auto sum = controls.stressUpdate == "neoHookean" ? hyperelasticElementStress<Dim>(patches, stress.point, trial.x)
+                                                     : cauchyElementStress<Dim>(end, stress.point);
     const auto L = elementGradient<Dim>(end, trial.v);
     const auto mean = fromPoints<Dim>(end, toPoints<Dim>(end, L));
     for (int e = 0; e < end.nCells(); ++e) {
         const Hypoelastic& material = problem.solid(cells.material[e]);
         const Tensor<Dim> zigzag = L[e] - mean[e];
-        stress[e] += dampingTime(material, controls.damping, cellMean<Dim>(end, trial.h, e)) *
-                     stressTensor<Dim>(elasticStress<Dim>(material, 0.5 * (zigzag + zigzag.transpose())));
+        sum[e] += dampingTime(material, controls.damping, cellMean<Dim>(end, trial.h, e)) *
+                  stressTensor<Dim>(elasticStress<Dim>(material, 0.5 * (zigzag + zigzag.transpose())));
+        if (!stress.pressure.empty()) sum[e] -= cellMean<Dim>(end, stress.pressure, e) * Tensor<Dim>::Identity();
     }
-    return stress;
+    return sum;
+}
+
+template <int Dim>
+void storeSolidStress(const Patches<Dim>& patches, SolidStress<Dim> stress, std::vector<Stress<Dim>>& nodal,
+                      std::vector<Stress<Dim>>& cell) {
+    storeFromPoints<Dim>(patches, std::move(stress.point), nodal, cell);
+    if (stress.pressure.empty()) return;
+    for (std::size_t i = 0; i < nodal.size(); ++i) nodal[i] = withPressure<Dim>(nodal[i], stress.pressure[i]);
+    for (std::size_t e = 0; e < cell.size(); ++e)
+        cell[e] = withPressure<Dim>(cell[e], cellMean<Dim>(patches, stress.pressure, static_cast<int>(e)));
 }
 
 #define PFEM_INSTANTIATE(D)                                                                                        \
     template const Hypoelastic& solidMaterial<D>(const Problem<D>&, const Cells<D>&, const Patches<D>&, int);      \
     template Points<D> gradientPositions<D>(const SolidControls&, const Nodes<D>&, const Nodes<D>&);               \
-    template std::vector<Stress<D>> solidStress<D>(const Problem<D>&, const SolidControls&, const Cells<D>&,       \
-                                                   const Patches<D>&, const Nodes<D>&, const Nodes<D>&, double);   \
+    template SolidStress<D> solidStress<D>(const Problem<D>&, const SolidControls&, const Cells<D>&,               \
+                                           const Patches<D>&, const Nodes<D>&, const Nodes<D>&, double);           \
     template std::vector<Tensor<D>> solidElementStress<D>(const Problem<D>&, const SolidControls&, const Cells<D>&, \
                                                           const Patches<D>&, const Patches<D>&,                    \
-                                                          const std::vector<Stress<D>>&, const Nodes<D>&);
+                                                          const SolidStress<D>&, const Nodes<D>&);                 \
+    template void storeSolidStress<D>(const Patches<D>&, SolidStress<D>, std::vector<Stress<D>>&,                  \
+                                      std::vector<Stress<D>>&);
 PFEM_INSTANTIATE(2)
 
 }  // namespace pfem

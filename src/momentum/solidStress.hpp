@@ -17,22 +17,36 @@ const Hypoelastic& solidMaterial(const Problem<Dim>& problem, const Cells<Dim>& 
 template <int Dim>
 Points<Dim> gradientPositions(const SolidControls& controls, const Nodes<Dim>& old, const Nodes<Dim>& trial);
 
+/// The solid's stress in one iterate.
+template <int Dim>
+struct SolidStress {
+    std::vector<Stress<Dim>> point;  // per stress point: sigma, or the deviator s where there is a pressure
+    std::vector<double> pressure;    // velocityPressure: p per node, zero outside the material; else empty
+};
+
 /// sigma^{n+1} of every stress point from sigma^n (stored in old.sigma or cells.sigma) and the trial motion, evaluated
-/// afresh at every iteration; of points outside the material the stored value.
+/// afresh at every iteration; of points outside the material the stored value. velocityPressure: s of the stress points
+/// and p of the nodes, p = p^n - kappa tr(De_I) with the strain increment of the nodal patch: that is the mass equation
+/// (1/kappa) dp/dt + div v = 0 with lumped test functions, solved for p at each node.
 ///   patches: at gradientPositions
 template <int Dim>
-std::vector<Stress<Dim>> solidStress(const Problem<Dim>& problem, const SolidControls& controls,
+SolidStress<Dim> solidStress(const Problem<Dim>& problem, const SolidControls& controls,
                                      const Cells<Dim>& cells, const Patches<Dim>& patches, const Nodes<Dim>& old,
                                      const Nodes<Dim>& trial, double dt);
 
-/// Element stress that makes the nodal force from the points' stress `sigma` (fromPoints), plus the damper's
+/// Element stress that makes the nodal force from the points' stress (fromPoints) and the pressure, plus the damper's
 /// tau_s C : (d_e - fromPoints(d)_e), which vanishes for linear velocity fields and for elemental integration.
 ///   patches: at gradientPositions;  end: at trial.x
 template <int Dim>
 std::vector<Tensor<Dim>> solidElementStress(const Problem<Dim>& problem, const SolidControls& controls,
                                             const Cells<Dim>& cells, const Patches<Dim>& patches,
-                                            const Patches<Dim>& end, const std::vector<Stress<Dim>>& sigma,
+                                            const Patches<Dim>& end, const SolidStress<Dim>& stress,
                                             const Nodes<Dim>& trial);
+
+/// Store the accepted stress at nodes and, elemental, in cells: sigma = s - p I; see storeFromPoints.
+template <int Dim>
+void storeSolidStress(const Patches<Dim>& patches, SolidStress<Dim> stress, std::vector<Stress<Dim>>& nodal,
+                      std::vector<Stress<Dim>>& cell);
 
 /// tau_s = alpha h sqrt(rho/E) [s].
 double dampingTime(const Hypoelastic& material, double alpha, double h);

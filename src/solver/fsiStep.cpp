@@ -111,7 +111,7 @@ StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, c
                             pressureScale<Dim>(problem, mesh, old));
     StepReport report;
     std::vector<double> dp;
-    std::vector<Stress<Dim>> sigma;  // of the solid's stress points
+    SolidStress<Dim> stressOfSolid;
     moveNodes<Dim>(newmark, constraints, topology, problem.gravity, old, trial);
     for (bool converged = false; !converged;) {
         if (report.iterations == controls.convergence.maxIterations)
@@ -123,11 +123,12 @@ StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, c
         updatePatches<Dim>(solid, trial.x);
         updatePatches<Dim>(solidGradients, gradientPositions<Dim>(controls.solid, old, trial));
         mass = nodalMass<Dim>(problem, mesh, fluid, massOfSolid);
-        sigma = solidStress<Dim>(problem, controls.solid, mesh.solid, solidGradients, old, trial, dt);
+        stressOfSolid = solidStress<Dim>(problem, controls.solid, mesh.solid, solidGradients, old, trial, dt);
         const auto R_m = momentumResidual<Dim>(
             mass, trial.a, problem.gravity, fluid,
             fluidStress<Dim>(problem, mesh.fluid, fluid, trial.v, trial.p), solid,
-            solidElementStress<Dim>(problem, controls.solid, mesh.solid, solidGradients, solid, sigma, trial),
+            solidElementStress<Dim>(problem, controls.solid, mesh.solid, solidGradients, solid, stressOfSolid,
+                                    trial),
             tractionForce<Dim>(mesh, problem.conditions, trial.x));
         momentum.setMass(mass);
         const auto dv = momentum.solve(R_m);
@@ -152,7 +153,7 @@ StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, c
     updatePatches<Dim>(solid, trial.x);
     checkPatches<Dim>(fluid, solid, trial);
     StepResult<Dim> result{std::move(trial), {}, report};
-    storeFromPoints<Dim>(solid, std::move(sigma), result.nodes.sigma, result.cellSigma);
+    storeSolidStress<Dim>(solid, std::move(stressOfSolid), result.nodes.sigma, result.cellSigma);
     return result;
 }
 

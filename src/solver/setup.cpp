@@ -67,6 +67,8 @@ Controls readControls(const Case& theCase) {
     readPart(dict, "momentum", controls.momentum);
     readPart(dict, "continuity", controls.continuity);
     readPart(dict, "solid", controls.solid);
+    if (controls.solid.formulation == "velocityPressure" && controls.solid.stressUpdate == "neoHookean")
+        dict.subDict("solid").fatal("formulation", "velocityPressure is not for the stressUpdate neoHookean");
     readPart(dict, "remeshing", controls.remeshing);
     warnUnused(dict, std::cerr);
     return controls;

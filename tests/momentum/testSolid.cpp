@@ -29,7 +29,7 @@ struct Solid {
     /// Positions at the end of the step and the stress there.
     struct Trial {
         Nodes<2> nodes;
-        std::vector<Stress<2>> sigma;  // per stress point
+        SolidStress<2> stress;
     };
     Trial trial(const SolidControls& controls, const Nodes<2>& old, const Points<2>& v, double dt) const {
         Nodes<2> t = old;
@@ -44,13 +44,13 @@ struct Solid {
     Points<2> force(const SolidControls& controls, const Nodes<2>& old, const Trial& t) const {
         Points<2> f(n, Vec<2>::Zero());
         const auto gradients = patches(gradientPositions<2>(controls, old, t.nodes)), end = patches(t.nodes.x);
-        addInternalForce<2>(end, solidElementStress<2>(c.problem, controls, cells, gradients, end, t.sigma, t.nodes), f);
+        addInternalForce<2>(end, solidElementStress<2>(c.problem, controls, cells, gradients, end, t.stress, t.nodes), f);
         return f;
     }
     /// Force of the damper alone: no stress.
     Points<2> dampingForce(const SolidControls& controls, const Nodes<2>& nodes) const {
         const std::vector<Stress<2>> zero(nStressPoints<2>(patches(nodes.x)), Stress<2>::Zero());
-        return force(controls, nodes, {nodes, zero});
+        return force(controls, nodes, {nodes, {zero, {}}});
     }
     bool carries(int p) const { return isStressPoint<2>(patches(c.state.nodes.x), p); }
 };
@@ -63,7 +63,8 @@ Eigen::VectorXd gather(const SolidDofs<2>& dofs, const Points<2>& u) {
     return r;
 }
 
-class SolidTangent : public testing::TestWithParam<std::tuple<const char*, double, double, Integration>> {};
+class SolidTangent
+    : public testing::TestWithParam<std::tuple<const char*, double, double, Integration, const char*>> {};
 
 // A_s = d(residual)/dv at small strain, for all updates, with and without damper, both time schemes and integrations.
 TEST_P(SolidTangent, isTheDerivativeOfTheResidual) {
@@ -72,6 +73,7 @@ TEST_P(SolidTangent, isTheDerivativeOfTheResidual) {
     SolidControls controls;
     controls.stressUpdate = std::get<0>(GetParam());
     controls.damping = std::get<1>(GetParam());
+    controls.formulation = std::get<4>(GetParam());
     const Newmark newmark{2e-3, std::get<2>(GetParam())};
     const auto mass = solidMass<2>(s.c.problem, s.cells, s.c.state.nodes.X);
     const auto& old = s.c.state.nodes;
@@ -103,7 +105,12 @@ TEST_P(SolidTangent, isTheDerivativeOfTheResidual) {
 INSTANTIATE_TEST_SUITE_P(updates, SolidTangent,
                          testing::Combine(testing::Values("rotatedMidpoint", "paper", "neoHookean"),
                                           testing::Values(0.0, 0.1), testing::Values(0.5, 1.0),
-                                          testing::Values(Integration::nodal, Integration::elemental)));
+                                          testing::Values(Integration::nodal, Integration::elemental),
+                                          testing::Values("velocity")));
+INSTANTIATE_TEST_SUITE_P(velocityPressure, SolidTangent,
+                         testing::Combine(testing::Values("rotatedMidpoint", "paper"), testing::Values(0.0, 0.1),
+                                          testing::Values(0.5), testing::Values(Integration::nodal, Integration::elemental),
+                                          testing::Values("velocityPressure")));
 
 TEST(Damper, vanishesForLinearFieldsAndDissipatesTheRest) {
     Solid s;
@@ -130,9 +137,12 @@ TEST(Damper, timeScale) {
 // A block that turns rigidly, node by node, by 360 degrees: its stress turns with it.
 TEST(SolidStress, stressedBlockTurnsBy360Degrees) {
     for (const Integration scheme : {Integration::nodal, Integration::elemental})
-        for (const bool stressed : {true, false}) {
+        for (const auto& [stressed, formulation] :
+             {std::pair(true, "velocity"), std::pair(false, "velocity"), std::pair(true, "velocityPressure")}) {
             Solid s;
             s.scheme = scheme;
+            SolidControls controls;
+            controls.formulation = formulation;
             Nodes<2> nodes = s.c.state.nodes;
             Stress<2> sigma0;
             sigma0 << 3e3, -1e3, 5e2, 2e3;
@@ -148,8 +158,8 @@ TEST(SolidStress, stressedBlockTurnsBy360Degrees) {
                     next.x[i] = Vec<2>(1, 2) + R * (nodes.X[i] - Vec<2>(1, 2));
                     nodes.v[i] = next.v[i] = (next.x[i] - nodes.x[i]) / dt;
                 }
-                auto sigma = s.stressOf({}, nodes, next, dt).sigma;
-                storeFromPoints<2>(s.patches(next.x), std::move(sigma), next.sigma, s.c.state.mesh.solid.sigma);
+                auto stress = s.stressOf(controls, nodes, next, dt).stress;
+                storeSolidStress<2>(s.patches(next.x), std::move(stress), next.sigma, s.c.state.mesh.solid.sigma);
                 nodes = next;
             }
             EXPECT_EQ(s.cells.sigma.empty(), scheme == Integration::nodal);
@@ -175,14 +185,34 @@ TEST(SolidStress, uniaxialStrain) {
             Nodes<2> old = s.c.state.nodes;
             old.v = v;  // steady: the displacement of the step is dt v
             const auto t = s.trial(controls, old, v, dt);
-            ASSERT_EQ(static_cast<int>(t.sigma.size()), scheme == Integration::nodal ? s.n : s.cells.size());
-            for (int p = 0; p < static_cast<int>(t.sigma.size()); ++p)
+            ASSERT_EQ(static_cast<int>(t.stress.point.size()), scheme == Integration::nodal ? s.n : s.cells.size());
+            for (int p = 0; p < static_cast<int>(t.stress.point.size()); ++p)
                 if (s.carries(p)) {
-                    EXPECT_NEAR(t.sigma[p][1], M * strain, 1e-5 * M * strain);
-                    EXPECT_NEAR(t.sigma[p][0], M * strain * nu / (1 - nu), 1e-5 * M * strain);
-                    EXPECT_NEAR(t.sigma[p][3], 0, 1e-5 * M * strain);
+                    EXPECT_NEAR(t.stress.point[p][1], M * strain, 1e-5 * M * strain);
+                    EXPECT_NEAR(t.stress.point[p][0], M * strain * nu / (1 - nu), 1e-5 * M * strain);
+                    EXPECT_NEAR(t.stress.point[p][3], 0, 1e-5 * M * strain);
                 }
         }
+}
+
+// Nodal pressure with nodal deviators is the nodal method itself; with elemental ones it is neither of the two.
+TEST(VelocityPressure, nodalIsTheNodalMethod) {
+    Solid s;
+    SolidControls velocity, mixed;
+    mixed.formulation = "velocityPressure";
+    const auto v = randomVectors(s.n, 8);
+    const auto force = [&](const SolidControls& controls, Integration scheme) {
+        s.scheme = scheme;
+        return s.force(controls, s.c.state.nodes, s.trial(controls, s.c.state.nodes, v, 1e-3));
+    };
+    const auto difference = [](Points<2> a, const Points<2>& b) {
+        for (std::size_t i = 0; i < a.size(); ++i) a[i] -= b[i];
+        return largest(a) / largest(b);
+    };
+    const auto nodal = force(velocity, Integration::nodal), elemental = force(velocity, Integration::elemental);
+    EXPECT_LT(difference(force(mixed, Integration::nodal), nodal), 1e-13);
+    EXPECT_GT(difference(force(mixed, Integration::elemental), nodal), 0.1);
+    EXPECT_GT(difference(force(mixed, Integration::elemental), elemental), 0.1);
 }
 
 // neoHookean: with both integrations the force is the derivative of sum_p Omega_p W(F_p), at large strain too.

@@ -92,9 +92,10 @@ INSTANTIATE_TEST_SUITE_P(, ElasticColumnOscillates,
 struct ColumnCase {
     double rhoS, E;
     const char* integration = "nodal";
+    const char* formulation = "velocity";
 };
 std::ostream& operator<<(std::ostream& out, const ColumnCase& c) {
-    return out << "rho_s " << c.rhoS << ", E " << c.E << ", " << c.integration;
+    return out << "rho_s " << c.rhoS << ", E " << c.E << ", " << c.integration << ", " << c.formulation;
 }
 
 class ElasticColumnConverges : public testing::TestWithParam<ColumnCase> {};
@@ -102,6 +103,7 @@ class ElasticColumnConverges : public testing::TestWithParam<ColumnCase> {};
 TEST_P(ElasticColumnConverges, inTwelveIterations) {
     TestCase c = column(GetParam().rhoS, GetParam().E);
     c.controls.integration.integration = GetParam().integration;
+    c.controls.solid.formulation = GetParam().formulation;
     c.start(1e-3);
     int most = 0, sum = 0;
     for (int n = 0; n < 50; ++n) {
@@ -121,11 +123,13 @@ INSTANTIATE_TEST_SUITE_P(materials, ElasticColumnConverges,
                                          ColumnCase{150, 2.3e7}, ColumnCase{150, 2.3e9}, ColumnCase{15, 2.3e4},
                                          ColumnCase{15, 2.3e5}, ColumnCase{15, 2.3e7}, ColumnCase{15, 2.3e9},
                                          ColumnCase{1500, 2.3e5, "elemental"}, ColumnCase{15, 2.3e5, "elemental"},
-                                         ColumnCase{150, 2.3e7, "elemental"}, ColumnCase{15, 2.3e9, "elemental"}),
+                                         ColumnCase{150, 2.3e7, "elemental"}, ColumnCase{15, 2.3e9, "elemental"},
+                                         ColumnCase{1500, 2.3e5, "elemental", "velocityPressure"},
+                                         ColumnCase{15, 2.3e5, "elemental", "velocityPressure"}),
                          [](const auto& test) {
                              const int power = static_cast<int>(std::log10(test.param.E));
                              return "rho" + std::to_string(static_cast<int>(test.param.rhoS)) + "_E1e" +
-                                    std::to_string(power) + "_" + test.param.integration;
+                                    std::to_string(power) + "_" + test.param.integration + "_" + test.param.formulation;
                          });
 
 }  // namespace

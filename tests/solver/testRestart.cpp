@@ -12,7 +12,7 @@ using namespace pfem::test;
 namespace {
 
 /// A column of water beside a soft step, released.
-TestCase smallFsi(const std::string& integration) {
+TestCase smallFsi(const std::string& integration, const std::string& formulation = "velocity") {
     TestCase c = makeCase("meshSize 0.05; bodies ("
                           " water { type fluid; material water; vertices ((0 0) (0.4 0) (0.4 0.2) (0.6 0.2) (0.6 0.4) (0 0.4)); }"
                           " step { type solid; material soft; vertices ((0.4 0) (0.6 0) (0.6 0.2) (0.4 0.2));"
@@ -22,15 +22,17 @@ TestCase smallFsi(const std::string& integration) {
                           "soft { type hypoelastic; rho 1200; E 1e5; nu 0.3; }",
                           "tank { type slip; } base { type clamped; }");
     c.controls.integration.integration = integration;
+    c.controls.solid.formulation = formulation;
     c.start(1e-3);
     return c;
 }
 
-class Restart : public testing::TestWithParam<const char*> {};
+class Restart : public testing::TestWithParam<std::tuple<const char*, const char*>> {};
 
 TEST_P(Restart, isBitwiseTheRunItself) {
     const TemporaryFolder folder;
-    TestCase c = smallFsi(GetParam());
+    const auto [integration, formulation] = GetParam();
+    TestCase c = smallFsi(integration, formulation);
     for (int n = 0; n < 15; ++n) c.step(2e-3);
     writeState(folder.path() / "0.03", c.state);
     TestCase again = c;
@@ -42,11 +44,14 @@ TEST_P(Restart, isBitwiseTheRunItself) {
     }
     expectIdentical(c.state, again.state);
     EXPECT_NE(before, c.state.mesh.fluid.nodes) << "the fluid has not been remeshed";
-    EXPECT_EQ(c.state.mesh.solid.sigma.empty(), std::string(GetParam()) == "nodal");
+    EXPECT_EQ(c.state.mesh.solid.sigma.empty(), std::string(integration) == "nodal");
 }
 
-INSTANTIATE_TEST_SUITE_P(, Restart, testing::Values("nodal", "elemental"),
-                         [](const auto& test) { return std::string(test.param); });
+INSTANTIATE_TEST_SUITE_P(, Restart, testing::Values(std::tuple("nodal", "velocity"), std::tuple("elemental", "velocity"),
+                                                  std::tuple("elemental", "velocityPressure")),
+                         [](const auto& test) {
+                             return std::string(std::get<0>(test.param)) + "_" + std::get<1>(test.param);
+                         });
 
 // A state of a nodal run goes on with elements, which start from the mean of their nodes, and back.
 TEST(ChangeOfIntegration, goesOnFromTheMeans) {
