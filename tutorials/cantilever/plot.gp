@@ -34,7 +34,8 @@ set key bottom left
 peaks(scheme) = sprintf("< grep ^%s study/peaks.csv", scheme)
 plot 6.88 lw 1.5 dt 2 lc rgb "red" title "6.88", \
      peaks("nodal") using 2:3 with linespoints pt 5 lw 2 lc rgb "#4477aa" title "nodal: from above", \
-     peaks("elemental") using 2:3 with linespoints pt 7 lw 2 lc rgb "#ee6677" title "elemental: from below"
+     peaks("elemental") using 2:3 with linespoints pt 7 lw 2 lc rgb "#ee6677" title "elemental: from below", \
+     peaks("mixed") using 2:3 with linespoints pt 9 lw 2 lc rgb "#ccbb44" title "mixed (nodal pressure): from below"
 set ylabel "|1 - u_y / 6.88|"
 set logscale y 10
 set format y "10^{%L}"
@@ -42,5 +43,6 @@ set yrange [1e-4:1]
 set key bottom right
 plot 0.06 * x ** 2 lw 1.5 dt 2 lc rgb "#888888" title "second order", \
      peaks("nodal") using 2:(abs(1 - $3 / 6.88)) with linespoints pt 5 lw 2 lc rgb "#4477aa" title "nodal", \
-     peaks("elemental") using 2:(abs(1 - $3 / 6.88)) with linespoints pt 7 lw 2 lc rgb "#ee6677" title "elemental"
+     peaks("elemental") using 2:(abs(1 - $3 / 6.88)) with linespoints pt 7 lw 2 lc rgb "#ee6677" title "elemental", \
+     peaks("mixed") using 2:(abs(1 - $3 / 6.88)) with linespoints pt 9 lw 2 lc rgb "#ccbb44" title "mixed"
 unset multiplot
