@@ -13,12 +13,12 @@ double height(const Points<2>& x, const Simplex<2>& s, int k) {
     return 2 * simplexMeasure<2>(x, s) / faceArea<2>(x, oppositeFace<2>(s, k)).norm();
 }
 
-/// d|A|/dt < 0.
-bool isClosing(const CandidateNodes& nodes, const Simplex<2>& s) {
+/// Divergence of the nodes' velocities: the rate of the triangle's area, (d|A|/dt)/|A| [1/s].
+double areaRate(const CandidateNodes& nodes, const Simplex<2>& s) {
     const auto g = simplexGeometry<2>(nodes.x, s);
     double div = 0;
     for (int k = 0; k < 3; ++k) div += nodes.v[s[k]].dot(g.gradN[k]);
-    return div < 0;
+    return div;
 }
 
 double meanSize(const CandidateNodes& nodes, const Simplex<2>& s) {
@@ -60,7 +60,7 @@ bool isContact(const RemeshingControls& c, const CandidateNodes& nodes, const Si
         return (nodes.x[s[fluidNode]] - nodes.x[s[dryNode]]).norm() <
                (nodes.x[s[fluidNode]] - nodes.x[s[wetNode]]).norm();
     }
-    if (!isClosing(nodes, s)) return false;
+    if (areaRate(nodes, s) >= 0) return false;
     if (held == 2) return height(nodes.x, s, fluidNode) < c.wallContactHeight * h;
     if (dry == 1) return height(nodes.x, s, dryNode) < c.wallContactHeight * h;
     return height(nodes.x, s, longestFace(nodes.x, s)) < c.contactHeight * h;
@@ -138,6 +138,17 @@ private:
                circumradius(nodes_.x, s) > controls_.alpha * controls_.alphaInside * h;
     }
 
+    /// A node hangs on this triangle alone, and the triangle is flat or about to collapse: such a node has hardly any
+    /// mass and pressure cannot hold it.
+    bool isHanging(int e) const {
+        const auto& s = t_.cells[e];
+        if (std::none_of(s.begin(), s.end(), [&](int node) { return cells_[node] == 1 && !nodes_.held[node]; }))
+            return false;
+        const double h = meanSize(nodes_, s);
+        return simplexMeasure<2>(nodes_.x, s) < controls_.hangingArea * h * h ||
+               areaRate(nodes_, s) * nodes_.dt < -0.5;
+    }
+
     /// A wall node that only this triangle carries, and the fluid has come nearer to the other wall node.
     bool isReleased(int e) const {
         const auto& s = t_.cells[e];
@@ -159,7 +170,7 @@ private:
             const int e = work.back();
             work.pop_back();
             if (!accepted_[e] || !isAtSurface(e)) continue;
-            const bool stretched = isStretched(e);
+            const bool stretched = isStretched(e) || isHanging(e);
             if (!stretched && !isReleased(e)) continue;
             accepted_[e] = 0;
             if (inside_[e])

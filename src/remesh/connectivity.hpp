@@ -14,6 +14,7 @@ struct CandidateNodes {
     std::vector<double> h;
     std::vector<unsigned char> held;     // on a solid or corner of a rigid wall
     std::vector<unsigned char> wet;      // was in a fluid cell before
+    double dt = 0;                       // length of the step [s]
     Points<2> inward;                    // of nodes that slide along a wall: its normal into the fluid; else zero
 };
 
@@ -25,7 +26,7 @@ struct Connectivity {
 };
 
 /// Inside the moved old mesh everything is fluid; from its boundary, triangles with a circumradius above
-/// alphaInside alpha h and slivers are peeled off, and a solid's node carried by one triangle is released when the
+/// alphaInside alpha h, slivers and collapsing triangles with a node of their own are peeled off, and a solid's node carried by one triangle is released when the
 /// fluid has come nearer to the other solid node. Outside, a triangle is a new contact and must be small, close
 /// and closing.
 Connectivity selectFluid(const RemeshingControls& controls, const Triangulation<2>& triangulation,

@@ -13,6 +13,7 @@ struct RemeshingControls {
     double contactHeight = 0.3;
     double wallContactHeight = 0.5;
     double sliver = 1e-3;
+    double hangingArea = 0.05;
     double removeDistance = 0.6;
     double removeDistanceSurface = 0.4;
     double insertDistance = 1.7;
@@ -31,6 +32,10 @@ struct RemeshingControls {
         v("wallContactHeight", wallContactHeight, "-", "height / h at which fluid touches a dry wall or solid",
           positive);
         v("sliver", sliver, "-", "area / h^2 below which a triangle at the surface is dropped", nonNegative);
+        v("hangingArea", hangingArea, "-",
+          "area / h^2 of a triangle below which the only node that it carries flies off as a drop; also when the "
+          "triangle would lose half of its area within a step",
+          nonNegative);
         v("removeDistance", removeDistance, "-", "distance / h at which an inner node is removed", nonNegative);
         v("removeDistanceSurface", removeDistanceSurface, "-",
           "distance / h at which a free-surface node is removed", nonNegative);

@@ -127,8 +127,10 @@ std::vector<Face<Dim>> surfaceFaces(const RemeshingControls& controls, const Nod
 }
 
 /// What the selection rules ask about the new nodes.
-CandidateNodes candidateNodes(const State<2>& state, const MovedMesh<2>& moved, const std::vector<int>& newIndex) {
+CandidateNodes candidateNodes(const State<2>& state, const MovedMesh<2>& moved, const std::vector<int>& newIndex,
+                              double dt) {
     CandidateNodes c;
+    c.dt = dt;
     const int n = state.nodes.size();
     c.x = state.nodes.x;
     c.v = state.nodes.v;
@@ -197,7 +199,7 @@ bool isDistorted(double distortion, const Points<2>& x, const std::vector<Simple
 
 template <int Dim>
 RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKind>& kinds, Topology<Dim> topology,
-                    State<Dim>& state) {
+                    double dt, State<Dim>& state) {
     const MovedMesh<Dim> moved = movedMesh<Dim>(state, std::move(topology));
     const auto plan = planNodes<Dim>(controls, moved, state.nodes.h, keptNodes<Dim>(state, moved.topology));
     const int material = state.mesh.fluid.material.empty() ? 0 : state.mesh.fluid.material[0];
@@ -206,7 +208,7 @@ RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKi
     const auto triangulation = constrainedDelaunay(
         state.nodes.x, activeNodes(state), fixedFaces<Dim>(state, kinds), surfaceFaces<Dim>(controls, plan, newIndex));
     const auto selected =
-        selectFluid(controls, triangulation, candidateNodes(state, moved, newIndex), moved);
+        selectFluid(controls, triangulation, candidateNodes(state, moved, newIndex, dt), moved);
     state.mesh.fluid.nodes = selected.fluid;
     state.mesh.fluid.material.assign(selected.fluid.size(), material);
 
@@ -223,6 +225,6 @@ RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKi
     return report;
 }
 
-template RemeshReport remesh<2>(const RemeshingControls&, const std::vector<PatchKind>&, Topology<2>, State<2>&);
+template RemeshReport remesh<2>(const RemeshingControls&, const std::vector<PatchKind>&, Topology<2>, double, State<2>&);
 
 }  // namespace pfem

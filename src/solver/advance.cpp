@@ -68,8 +68,13 @@ double totalVolume(const State<Dim>& state) {
 
 template <int Dim>
 std::pair<double, double> courantRate(const State<Dim>& state) {
+    std::vector<unsigned char> joined(state.nodes.size(), 0);
+    for (const auto* cells : {&state.mesh.fluid, &state.mesh.solid})
+        for (const auto& s : cells->nodes)
+            for (int node : s) joined[node] = 1;
     double largest = 0, sum = 0;
     for (int i = 0; i < state.nodes.size(); ++i) {
+        if (!joined[i]) continue;
         const double rate = state.nodes.v[i].norm() / state.nodes.h[i];
         largest = std::max(largest, rate);
         sum += rate;
@@ -113,7 +118,7 @@ AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Sta
                                   wallsOld == state.nodes.wall
                                       ? topology
                                       : makeTopology<Dim>(state.mesh, kinds, state.nodes.wall),
-                                  state);
+                                  report.dt, state);
     report.seconds[1] = now() - start - report.seconds[0];
     last = std::move(state);
     return report;

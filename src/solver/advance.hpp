@@ -26,7 +26,8 @@ AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Sta
 template <int Dim>
 double totalVolume(const State<Dim>& state);
 
-/// Largest |v|/h over moving nodes [1/s]: times dt the Courant number. Also its mean.
+/// Largest |v|/h over the nodes of fluid and solid cells [1/s]: times dt the Courant number. Also its mean. Particles in
+/// free flight do not count: their path is exact.
 template <int Dim>
 std::pair<double, double> courantRate(const State<Dim>& state);
 
