@@ -40,10 +40,12 @@ TEST(Tutorials, pfemSolutionHoldsTheDefaults) {
 }
 
 TEST(Tutorials, pfemSolutionHasNoUnknownEntry) {
-    const Case theCase(std::string(PFEM_SOURCE_DIR) + "/tutorials/damBreakElasticWall");
-    testing::internal::CaptureStderr();
-    readControls(theCase);
-    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    for (const char* name : {"damBreakElasticWall", "cantilever"}) {
+        const Case theCase(std::string(PFEM_SOURCE_DIR) + "/tutorials/" + name);
+        testing::internal::CaptureStderr();
+        readControls(theCase);
+        EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << name;
+    }
 }
 
 }  // namespace
