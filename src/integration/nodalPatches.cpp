@@ -4,8 +4,9 @@ namespace pfem {
 
 template <int Dim>
 Patches<Dim> makePatches(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around,
-                         const Points<Dim>& x) {
+                         const Points<Dim>& x, Integration scheme) {
     Patches<Dim> patches;
+    patches.scheme = scheme;
     patches.cells = &cells;
     patches.around = &around;
     patches.element.resize(cells.size());
@@ -44,10 +45,10 @@ std::vector<Tensor<Dim>> elementGradient(const Patches<Dim>& patches, const Poin
     return L;
 }
 
-template <int Dim>
-std::vector<Tensor<Dim>> nodalMean(const Patches<Dim>& patches, const std::vector<Tensor<Dim>>& field) {
+template <int Dim, class Value>
+std::vector<Value> nodalMean(const Patches<Dim>& patches, const std::vector<Value>& field) {
     const NodeToCells& around = *patches.around;
-    std::vector<Tensor<Dim>> mean(patches.nNodes());
+    std::vector<Value> mean(patches.nNodes());
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < patches.nNodes(); ++i) {
         mean[i].setZero();
@@ -59,13 +60,13 @@ std::vector<Tensor<Dim>> nodalMean(const Patches<Dim>& patches, const std::vecto
     return mean;
 }
 
-template <int Dim>
-std::vector<Tensor<Dim>> elementMean(const Patches<Dim>& patches, const std::vector<Tensor<Dim>>& nodal) {
-    std::vector<Tensor<Dim>> mean(patches.nCells());
+template <int Dim, class Value>
+std::vector<Value> elementMean(const Patches<Dim>& patches, const std::vector<Value>& nodal) {
+    std::vector<Value> mean(patches.nCells());
 #pragma omp parallel for schedule(static)
     for (int e = 0; e < patches.nCells(); ++e) {
-        mean[e].setZero();
-        for (int node : patches.cell(e)) mean[e] += nodal[node];
+        mean[e] = nodal[patches.cell(e)[0]];
+        for (int k = 1; k <= Dim; ++k) mean[e] += nodal[patches.cell(e)[k]];
         mean[e] /= Dim + 1;
     }
     return mean;
@@ -83,11 +84,15 @@ void addInternalForce(const Patches<Dim>& patches, const std::vector<Tensor<Dim>
 }
 
 #define PFEM_INSTANTIATE(D)                                                                                  \
-    template Patches<D> makePatches<D>(const std::vector<Simplex<D>>&, const NodeToCells&, const Points<D>&); \
+    template Patches<D> makePatches<D>(const std::vector<Simplex<D>>&, const NodeToCells&, const Points<D>&,  \
+                                       Integration);                                                         \
     template void updatePatches<D>(Patches<D>&, const Points<D>&);                                           \
     template std::vector<Tensor<D>> elementGradient<D>(const Patches<D>&, const Points<D>&);                 \
     template std::vector<Tensor<D>> nodalMean<D>(const Patches<D>&, const std::vector<Tensor<D>>&);          \
+    template std::vector<Stress<D>> nodalMean<D>(const Patches<D>&, const std::vector<Stress<D>>&);          \
     template std::vector<Tensor<D>> elementMean<D>(const Patches<D>&, const std::vector<Tensor<D>>&);        \
+    template std::vector<Stress<D>> elementMean<D>(const Patches<D>&, const std::vector<Stress<D>>&);        \
+    template std::vector<double> elementMean<D>(const Patches<D>&, const std::vector<double>&);              \
     template void addInternalForce<D>(const Patches<D>&, const std::vector<Tensor<D>>&, Points<D>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)

@@ -13,12 +13,16 @@
 
 namespace pfem {
 
+/// Where stress lives: at the nodes, each with the mean of its patch, or in the elements.
+enum class Integration { nodal, elemental };
+
 template <int Dim>
 struct Patches {
     const std::vector<Simplex<Dim>>* cells = nullptr;
     const NodeToCells* around = nullptr;
     std::vector<SimplexGeometry<Dim>> element;  // per cell
     std::vector<double> volume;                 // Omega_I per node [m2 (2D), m3]; 0 outside the material
+    Integration scheme = Integration::nodal;    // which of them are stress points (stressPoints.hpp)
 
     int nNodes() const { return static_cast<int>(volume.size()); }
     int nCells() const { return static_cast<int>(element.size()); }
@@ -28,7 +32,7 @@ struct Patches {
 /// Patches over `cells` (kept by reference), evaluated at the positions x.
 template <int Dim>
 Patches<Dim> makePatches(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around,
-                         const Points<Dim>& x);
+                         const Points<Dim>& x, Integration scheme = Integration::nodal);
 
 /// Volumes and gradients in the configuration x.
 template <int Dim>
@@ -39,16 +43,17 @@ template <int Dim>
 std::vector<Tensor<Dim>> elementGradient(const Patches<Dim>& patches, const Points<Dim>& v);
 
 /// Nodal mean of an element field: (1/Omega_I) sum_e |e|/(d+1) f_e; zero outside the material. With
-/// f = grad v this is L_I = sum_J v_J (x) G_IJ.
-template <int Dim>
-std::vector<Tensor<Dim>> nodalMean(const Patches<Dim>& patches, const std::vector<Tensor<Dim>>& field);
+/// f = grad v this is L_I = sum_J v_J (x) G_IJ. Value: Tensor or Stress.
+template <int Dim, class Value>
+std::vector<Value> nodalMean(const Patches<Dim>& patches, const std::vector<Value>& field);
 
 /// force_J += sum_e |e| S_e grad N_J: the nodal force that balances the element stress S.
 template <int Dim>
 void addInternalForce(const Patches<Dim>& patches, const std::vector<Tensor<Dim>>& stress, Points<Dim>& force);
 
 /// Element stress that makes addInternalForce equal to sum_I Omega_I sigma_I G_IJ: the mean of the cell's nodes.
-template <int Dim>
-std::vector<Tensor<Dim>> elementMean(const Patches<Dim>& patches, const std::vector<Tensor<Dim>>& nodal);
+/// Value: Tensor, Stress or double.
+template <int Dim, class Value>
+std::vector<Value> elementMean(const Patches<Dim>& patches, const std::vector<Value>& nodal);
 
 }  // namespace pfem

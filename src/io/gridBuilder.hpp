@@ -33,6 +33,16 @@ bool stressOutsideSolid(const State<Dim>& state, const NodeSet& set, const std::
     return false;
 }
 
+/// Stresses in VTK's six components; `at(i)` is the index of tuple i.
+template <int Dim, class Index>
+vtkSmartPointer<vtkDoubleArray> makeStress(const std::vector<Stress<Dim>>& stress, int n, const Index& at) {
+    auto sigma = makeArray<vtkDoubleArray>(
+        "sigma", 6, n, [&](int i, int c) { return c < nStress<Dim> ? stress[at(i)][c] : 0.0; });
+    for (int c = 0; c < 6; ++c)
+        sigma->SetComponentName(c, stateGrid::tensorComponents[static_cast<std::size_t>(c)]);
+    return sigma;
+}
+
 /// Points and point data of the nodes in `set`; the stress only where the file needs it.
 template <int Dim>
 void addNodes(vtkUnstructuredGrid* grid, const State<Dim>& state, const NodeSet& set, bool withStress,
@@ -63,13 +73,7 @@ void addNodes(vtkUnstructuredGrid* grid, const State<Dim>& state, const NodeSet&
         return component<Dim>(all.x[at(i)], c) - component<Dim>(all.X[at(i)], c);
     }));
     vectors("X", all.X);
-    if (withStress) {
-        auto sigma = makeArray<vtkDoubleArray>(
-            "sigma", 6, n, [&](int i, int c) { return c < nStress<Dim> ? all.sigma[at(i)][c] : 0.0; });
-        for (int c = 0; c < 6; ++c)
-            sigma->SetComponentName(c, stateGrid::tensorComponents[static_cast<std::size_t>(c)]);
-        data->AddArray(sigma);
-    }
+    if (withStress) data->AddArray(makeStress<Dim>(all.sigma, n, at));
     scalars("h", all.h);
     scalars("dropVolume", all.dropVolume);
     data->AddArray(makeArray<vtkIntArray>("wall", 1, n, [&](int i, int) { return all.wall[at(i)]; }));

@@ -35,6 +35,16 @@ std::vector<double> toScalars(vtkDoubleArray* array) {
 }
 
 template <int Dim>
+std::vector<Stress<Dim>> readStress(const CheckedArrays& arrays) {
+    auto* sigma = arrays.doubles("sigma", 6);
+    std::vector<Stress<Dim>> stress(static_cast<std::size_t>(sigma->GetNumberOfTuples()));
+    for (std::size_t i = 0; i < stress.size(); ++i)
+        for (int c = 0; c < nStress<Dim>; ++c)
+            stress[i][c] = sigma->GetTypedComponent(static_cast<vtkIdType>(i), c);
+    return stress;
+}
+
+template <int Dim>
 Nodes<Dim> readNodes(vtkUnstructuredGrid* grid, const std::filesystem::path& file, bool& hasStress) {
     const CheckedArrays arrays(file, grid->GetPointData(), grid->GetNumberOfPoints());
     auto points = [&](const std::string& name) {
@@ -56,12 +66,7 @@ Nodes<Dim> readNodes(vtkUnstructuredGrid* grid, const std::filesystem::path& fil
     for (const Id face : arrays.integers("wall")) nodes.wall.push_back(static_cast<int>(face));
     nodes.sigma.assign(nodes.id.size(), Stress<Dim>::Zero());
     hasStress = arrays.found("sigma");
-    if (hasStress) {
-        auto* sigma = arrays.doubles("sigma", 6);
-        for (std::size_t i = 0; i < nodes.sigma.size(); ++i)
-            for (int c = 0; c < nStress<Dim>; ++c)
-                nodes.sigma[i][c] = sigma->GetTypedComponent(static_cast<vtkIdType>(i), c);
-    }
+    if (hasStress) nodes.sigma = readStress<Dim>(arrays);
     for (std::size_t i = 0; i < nodes.id.size(); ++i)
         if (nodes.id[i] < 0 || (i > 0 && nodes.id[i] <= nodes.id[i - 1]))
             arrays.fail("the node ids do not ascend");
@@ -116,7 +121,9 @@ Part<Dim> readPart(const std::filesystem::path& folder, const std::string& name,
     const auto grid = readGrid(file);
     part.nodes = readNodes<Dim>(grid, file, part.hasStress);
     readCells(grid.Get(), part);
-    part.values = CheckedArrays(file, grid->GetCellData(), grid->GetNumberOfCells()).integers(values);
+    const CheckedArrays cells(file, grid->GetCellData(), grid->GetNumberOfCells());
+    part.values = cells.integers(values);
+    if (cells.found("sigma")) part.cellStress = readStress<Dim>(cells);
     const CheckedArrays field(file, grid->GetFieldData(), -1);
     part.materials = field.words("materials");
     if (name == stateGrid::boundaryFile) part.patchNames = field.words("patchNames");

@@ -19,6 +19,7 @@ struct Part {
     std::vector<int> types;
     std::vector<std::vector<Id>> cells;
     std::vector<Id> values;
+    std::vector<Stress<Dim>> cellStress;  // empty without cell data `sigma`
     std::vector<std::string> materials;
     std::vector<std::string> patchNames;  // boundary.vtu only
 

@@ -115,6 +115,7 @@ State<Dim> readState(const std::filesystem::path& folder) {
                                state.nextId));
     state.mesh.fluid = simplicesOf(fluid, state.nodes, true);
     state.mesh.solid = simplicesOf(solid, state.nodes, false);
+    state.mesh.solid.sigma = solid.cellStress;
     state.mesh.patches = patchesOf(boundary, state.nodes);
     state.mesh.materials = fluid.materials;
     int faces = 0;

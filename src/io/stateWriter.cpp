@@ -41,6 +41,9 @@ void checkSizes(const State<Dim>& state, const ExtraFields& extra) {
     for (const Cells<Dim>* cells : {&state.mesh.fluid, &state.mesh.solid})
         if (cells->nodes.size() != cells->material.size())
             throw InternalError("writeState: the number of materials is not the number of cells");
+    const std::size_t stresses = state.mesh.solid.sigma.size();
+    if ((stresses != 0 && stresses != state.mesh.solid.nodes.size()) || !state.mesh.fluid.sigma.empty())
+        throw InternalError("writeState: the number of cell stresses is not the number of solid cells");
     for (const auto& [name, values] : extra.nodal)
         if (values.size() != n)
             throw InternalError("writeState: extra field '" + name + "' has a wrong length");
@@ -73,6 +76,9 @@ void writeState(const std::filesystem::path& folder, const State<Dim>& state, co
     CellBuilder solidCells;
     addSimplices(solidCells, state.mesh.solid, solidNodes);
     solidCells.finish(solid, "material");
+    if (const auto& stress = state.mesh.solid.sigma; !stress.empty())  // elemental integration
+        solid->GetCellData()->AddArray(
+            makeStress<Dim>(stress, state.mesh.solid.size(), [](int e) { return static_cast<std::size_t>(e); }));
     writeGrid(staged.path() / solidFile, solid);
 
     const NodeSet boundaryNodes(members.boundary);

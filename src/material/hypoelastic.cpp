@@ -8,16 +8,6 @@ namespace pfem {
 namespace {
 
 template <int Dim>
-Stress<Dim> packStress(const Tensor<Dim>& t, double zz) {
-    Stress<Dim> s;
-    if constexpr (Dim == 2)
-        s << t(0, 0), t(1, 1), zz, t(0, 1);
-    else
-        s << t(0, 0), t(1, 1), t(2, 2), t(0, 1), t(1, 2), t(0, 2);
-    return s;
-}
-
-template <int Dim>
 double zzComponent(const Stress<Dim>& s) {
     return s[2];
 }
@@ -48,6 +38,33 @@ Tensor<Dim> stressTensor(const Stress<Dim>& s) {
 }
 
 template <int Dim>
+Stress<Dim> packStress(const Tensor<Dim>& t, double zz) {
+    Stress<Dim> s;
+    if constexpr (Dim == 2)
+        s << t(0, 0), t(1, 1), zz, t(0, 1);
+    else
+        s << t(0, 0), t(1, 1), t(2, 2), t(0, 1), t(1, 2), t(0, 2);
+    return s;
+}
+
+template <int Dim>
+double pressure(const Stress<Dim>& sigma) {
+    return -(sigma[0] + sigma[1] + sigma[2]) / 3;
+}
+
+template <int Dim>
+Stress<Dim> withPressure(const Stress<Dim>& s, double p) {
+    Stress<Dim> sigma = s;
+    for (int c = 0; c < 3; ++c) sigma[c] -= p;
+    return sigma;
+}
+
+template <int Dim>
+Stress<Dim> deviator(const Stress<Dim>& sigma) {
+    return withPressure<Dim>(sigma, -pressure<Dim>(sigma));
+}
+
+template <int Dim>
 Stress<Dim> elasticStress(const Hypoelastic& material, const Tensor<Dim>& D) {
     const double mean = material.lambda() * D.trace();
     return packStress<Dim>(2 * material.mu() * D + mean * Tensor<Dim>::Identity(), mean);
@@ -75,6 +92,10 @@ Stress<Dim> paperUpdate(const Hypoelastic& material, const Stress<Dim>& sigmaOld
 
 #define PFEM_INSTANTIATE(D)                                                                                  \
     template Tensor<D> stressTensor<D>(const Stress<D>&);                                                    \
+    template double pressure<D>(const Stress<D>&);                                                           \
+    template Stress<D> deviator<D>(const Stress<D>&);                                                        \
+    template Stress<D> withPressure<D>(const Stress<D>&, double);                                            \
+    template Stress<D> packStress<D>(const Tensor<D>&, double);                                              \
     template Stress<D> elasticStress<D>(const Hypoelastic&, const Tensor<D>&);                               \
     template Stress<D> rotatedMidpoint<D>(const Hypoelastic&, const Stress<D>&, const Tensor<D>&);           \
     template Stress<D> paperUpdate<D>(const Hypoelastic&, const Stress<D>&, const Tensor<D>&, double);

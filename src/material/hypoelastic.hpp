@@ -10,6 +10,20 @@ namespace pfem {
 template <int Dim>
 Tensor<Dim> stressTensor(const Stress<Dim>& sigma);
 
+/// Pressure p = -tr(sigma)/3, positive in compression, and deviator s = sigma + p I.
+template <int Dim>
+double pressure(const Stress<Dim>& sigma);
+template <int Dim>
+Stress<Dim> deviator(const Stress<Dim>& sigma);
+
+/// sigma = s - p I.
+template <int Dim>
+Stress<Dim> withPressure(const Stress<Dim>& s, double p);
+
+/// The stored form of a symmetric tensor; 2D: with its zz component, 3D: zz is not used.
+template <int Dim>
+Stress<Dim> packStress(const Tensor<Dim>& t, double zz);
+
 /// C : D for isotropic elasticity (2D: plane strain, the zz component included).
 template <int Dim>
 Stress<Dim> elasticStress(const Hypoelastic& material, const Tensor<Dim>& D);

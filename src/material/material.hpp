@@ -23,6 +23,7 @@ struct Hypoelastic {
 
     double lambda() const { return E * nu / ((1 + nu) * (1 - 2 * nu)); }
     double mu() const { return E / (2 * (1 + nu)); }
+    double kappa() const { return E / (3 * (1 - 2 * nu)); }
 };
 
 enum class MaterialKind { fluid, solid };

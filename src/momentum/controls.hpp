@@ -4,8 +4,24 @@
 #include <string>
 
 #include "dictionary/entries.hpp"
+#include "integration/nodalPatches.hpp"
 
 namespace pfem {
+
+/// At the top of system/pfemSolution.
+struct IntegrationControls {
+    std::string integration = "nodal";
+
+    Integration scheme() const { return integration == "nodal" ? Integration::nodal : Integration::elemental; }
+
+    template <class Visitor>
+    void entries(Visitor& v) {
+        v("integration", integration, "-",
+          "where fluids and solids have their stress: nodal (in patches of nodes; solids rather too soft) or elemental (in "
+          "triangles; solids rather too stiff)",
+          oneOf({"nodal", "elemental"}));
+    }
+};
 
 /// Sub-dictionary `timeIntegration`.
 struct TimeIntegrationControls {
@@ -42,13 +58,20 @@ struct MomentumControls {
 
 /// Sub-dictionary `solid`.
 struct SolidControls {
+    std::string formulation = "velocity";
     std::string stressUpdate = "rotatedMidpoint";
     double damping = 0.1;
 
     template <class Visitor>
     void entries(Visitor& v) {
-        v("stressUpdate", stressUpdate, "-", "rotatedMidpoint (objective) or paper (equation (39) as printed)",
-          oneOf({"rotatedMidpoint", "paper"}));
+        v("formulation", formulation, "-",
+          "velocity; velocityPressure: the pressure is a field of the nodes and only the deviatoric stress is integrated as "
+          "`integration` says (elemental: no locking up to nu -> 0.5; not with neoHookean)",
+          oneOf({"velocity", "velocityPressure"}));
+        v("stressUpdate", stressUpdate, "-",
+          "rotatedMidpoint (objective), paper (equation (39) as printed), neoHookean (hyperelastic, from the reference "
+          "positions)",
+          oneOf({"rotatedMidpoint", "paper", "neoHookean"}));
         v("damping", damping, "-", "alpha of the zig-zag damper, tau_s = alpha h sqrt(rho/E)", nonNegative);
     }
 };

@@ -15,16 +15,16 @@ template <int Dim>
 std::vector<Tensor<Dim>> fluidTangentStress(const Problem<Dim>& problem, const Cells<Dim>& cells,
                                             const Patches<Dim>& patches, const Points<Dim>& dv,
                                             const std::vector<double>& bulk) {
-    // the viscosity is linear, so the mean of nodal stresses is the stress of the mean gradient of each cell
-    auto L = nodalMean<Dim>(patches, elementGradient<Dim>(patches, dv));
-    auto stress = elementMean<Dim>(patches, L);
+    // the viscosity is linear, so the mean of the points' stresses is the stress of the mean gradient of each cell
+    auto L = toPoints<Dim>(patches, elementGradient<Dim>(patches, dv));
+    std::vector<double> volumetric(bulk.size());
+    for (std::size_t p = 0; p < bulk.size(); ++p) volumetric[p] = bulk[p] * L[p].trace();
+    if (!bulk.empty()) volumetric = fromPoints<Dim>(patches, std::move(volumetric));
+    auto stress = fromPoints<Dim>(patches, std::move(L));
 #pragma omp parallel for schedule(static)
     for (int e = 0; e < patches.nCells(); ++e) {
-        double volumetric = 0;
-        if (!bulk.empty())
-            for (int node : patches.cell(e)) volumetric += bulk[node] * L[node].trace() / (Dim + 1);
-        stress[e] = viscousStress<Dim>(problem.fluid(cells.material[e]).mu, stress[e]) +
-                    volumetric * Tensor<Dim>::Identity();
+        stress[e] = viscousStress<Dim>(problem.fluid(cells.material[e]).mu, stress[e]);
+        if (!volumetric.empty()) stress[e] += volumetric[e] * Tensor<Dim>::Identity();
     }
     return stress;
 }
@@ -36,9 +36,7 @@ std::vector<Tensor<Dim>> fluidStress(const Problem<Dim>& problem, const Cells<Di
     auto stress = fluidTangentStress<Dim>(problem, cells, patches, v, {});
 #pragma omp parallel for schedule(static)
     for (int e = 0; e < patches.nCells(); ++e) {
-        double mean = 0;
-        for (int node : patches.cell(e)) mean += p[node] / (Dim + 1);
-        stress[e] -= mean * Tensor<Dim>::Identity();
+        stress[e] -= cellMean<Dim>(patches, p, e) * Tensor<Dim>::Identity();
     }
     return stress;
 }

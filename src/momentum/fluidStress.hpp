@@ -1,18 +1,19 @@
 #pragma once
-// Newtonian stress of the fluid's patches (35).
+// Newtonian stress of the fluid (35), nodal or elemental as its patches say.
 
-#include "integration/nodalPatches.hpp"
+#include "integration/stressPoints.hpp"
 #include "state/problem.hpp"
 
 namespace pfem {
 
-/// Element stress equivalent to the nodal patches' sigma_I = 2 mu (d_I - tr(d_I)/3 I) - p_I I.
+/// Element stress with the force of the points' sigma = 2 mu (d - tr(d)/3 I) - p I. The nodal pressure acts by its mean
+/// over each element with both integrations.
 template <int Dim>
 std::vector<Tensor<Dim>> fluidStress(const Problem<Dim>& problem, const Cells<Dim>& cells,
                                      const Patches<Dim>& patches, const Points<Dim>& v,
                                      const std::vector<double>& p);
 
-/// The same without pressure plus `bulk` * tr(d_I) I per node: the operator of the momentum matrix (42)-(43).
+/// The same without pressure plus `bulk` * tr(d) I per stress point: the operator of the momentum matrix (42)-(43).
 template <int Dim>
 std::vector<Tensor<Dim>> fluidTangentStress(const Problem<Dim>& problem, const Cells<Dim>& cells,
                                             const Patches<Dim>& patches, const Points<Dim>& dv,

@@ -20,20 +20,20 @@ void axpy(double factor, const Points<Dim>& x, Points<Dim>& y) {
     for (std::size_t i = 0; i < x.size(); ++i) y[i] += factor * x[i];
 }
 
-/// rho h^2/dt with h^2 = Omega^{2/Dim}: an acoustic Courant number of one in each patch [Pa s].
+/// rho h^2/dt with h^2 = Omega^{2/Dim}: an acoustic Courant number of one at each stress point [Pa s].
 template <int Dim>
 std::vector<double> localBulk(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& fluid,
                               double dt) {
-    std::vector<double> bulk(fluid.nNodes(), 0.0);
-    for (int i = 0; i < fluid.nNodes(); ++i) {
-        if (fluid.around->count(i) == 0) continue;
-        const double rho = problem.fluid(cells.material[fluid.around->cell[fluid.around->start[i]]]).rho;
-        bulk[i] = rho * std::pow(fluid.volume[i], 2.0 / Dim) / dt;
+    std::vector<double> bulk(nStressPoints<Dim>(fluid), 0.0);
+    for (int p = 0; p < nStressPoints<Dim>(fluid); ++p) {
+        if (!isStressPoint<Dim>(fluid, p)) continue;
+        const double rho = problem.fluid(cells.material[cellOfPoint<Dim>(fluid, p)]).rho;
+        bulk[p] = rho * std::pow(pointVolume<Dim>(fluid, p), 2.0 / Dim) / dt;
     }
     return bulk;
 }
 
-/// One value for all patches: mean diagonal of the mass matrix over that of sum_e |e| grad N_I . grad N_I / Dim.
+/// One value for all points: mean diagonal of the mass matrix over that of sum_e |e| grad N_I . grad N_I / Dim.
 template <int Dim>
 std::vector<double> meanBulk(const Patches<Dim>& fluid, const std::vector<double>& mass, double massFactor) {
     double massSum = 0, gradientSum = 0;
@@ -41,7 +41,7 @@ std::vector<double> meanBulk(const Patches<Dim>& fluid, const std::vector<double
         if (fluid.around->count(i) > 0) massSum += massFactor * mass[i];
     for (const auto& g : fluid.element)
         for (const auto& gradN : g.gradN) gradientSum += g.measure * gradN.squaredNorm() / Dim;
-    return std::vector<double>(fluid.nNodes(), gradientSum > 0 ? massSum / gradientSum : 0);
+    return std::vector<double>(nStressPoints<Dim>(fluid), gradientSum > 0 ? massSum / gradientSum : 0);
 }
 
 }  // namespace

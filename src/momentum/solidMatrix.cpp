@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "integration/gradientRow.hpp"
 #include "momentum/solidStress.hpp"
 
 namespace pfem {
@@ -22,53 +23,20 @@ Tensor<Dim> tangentBasis(const Vec<Dim>& n) {
     return basis;
 }
 
-/// One row of a gradient operator: nodes and Omega G_J (or |e| grad N_J).
-template <int Dim>
-struct GradientRow {
-    std::vector<int> nodes;
-    std::vector<Vec<Dim>> weighted;
-    double volume = 0;
-
-    void add(int node, const Vec<Dim>& g) {
-        const auto found = std::find(nodes.begin(), nodes.end(), node);
-        if (found != nodes.end()) {
-            weighted[found - nodes.begin()] += g;
-        } else {
-            nodes.push_back(node);
-            weighted.push_back(g);
-        }
-    }
+/// Isotropic C = lambda I (x) I + 2 mu, times a time.
+struct Moduli {
+    double lambda = 0, mu = 0;  // [Pa s]
 };
 
-/// Row of nodal patch I: Omega G_IJ = sum_e |e|/(d+1) grad N_J.
-template <int Dim>
-GradientRow<Dim> nodalRow(const Patches<Dim>& patches, int i) {
-    GradientRow<Dim> row;
-    row.volume = patches.volume[i];
-    const NodeToCells& around = *patches.around;
-    for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
-        const auto& g = patches.element[around.cell[s]];
-        const auto& cell = patches.cell(around.cell[s]);
-        for (int k = 0; k <= Dim; ++k) row.add(cell[k], g.measure / (Dim + 1) * g.gradN[k]);
-    }
-    return row;
-}
+Moduli elastic(const Hypoelastic& m, double time) { return {time * m.lambda(), time * m.mu()}; }
+Moduli deviatoric(const Hypoelastic& m, double time) { return {-2.0 / 3 * time * m.mu(), time * m.mu()}; }
+Moduli volumetric(const Hypoelastic& m, double time) { return {time * m.kappa(), 0}; }
 
+/// Add (Omega G)^T C (Omega G) / Omega.
 template <int Dim>
-GradientRow<Dim> elementRow(const Patches<Dim>& patches, int e) {
-    GradientRow<Dim> row;
-    const auto& g = patches.element[e];
-    row.volume = g.measure;
-    for (int k = 0; k <= Dim; ++k) row.add(patches.cell(e)[k], g.measure * g.gradN[k]);
-    return row;
-}
-
-/// Add factor * (Omega G)^T C (Omega G) / Omega.
-template <int Dim>
-void addStiffness(SymmetricMatrix& A, const SolidDofs<Dim>& dofs, const Hypoelastic& material, double factor,
-                  const GradientRow<Dim>& row) {
-    const double lambda = material.lambda() * factor / row.volume;
-    const double mu = material.mu() * factor / row.volume;
+void addStiffness(SymmetricMatrix& A, const SolidDofs<Dim>& dofs, const Moduli& moduli, const GradientRow<Dim>& row) {
+    const double lambda = moduli.lambda / row.volume;
+    const double mu = moduli.mu / row.volume;
     for (std::size_t a = 0; a < row.nodes.size(); ++a)
         for (std::size_t b = 0; b < row.nodes.size(); ++b) {
             const int la = dofs.local[row.nodes[a]];
@@ -87,13 +55,13 @@ void addStiffness(SymmetricMatrix& A, const SolidDofs<Dim>& dofs, const Hypoelas
         }
 }
 
-/// Pattern: nodes that share a patch (two rings of the mesh).
+/// Pattern: nodes that share a stress point (nodal patches: two rings of the mesh).
 template <int Dim>
 SymmetricMatrix emptySolidMatrix(const Patches<Dim>& patches, const SolidDofs<Dim>& dofs) {
     std::vector<std::vector<int>> lower(dofs.n);
-    for (int i = 0; i < patches.nNodes(); ++i) {
-        if (patches.around->count(i) == 0) continue;
-        const GradientRow<Dim> row = nodalRow<Dim>(patches, i);
+    for (int p = 0; p < nStressPoints<Dim>(patches); ++p) {
+        if (!isStressPoint<Dim>(patches, p)) continue;
+        const GradientRow<Dim> row = pointRow<Dim>(patches, p);
         for (int a : row.nodes)
             for (int b : row.nodes)
                 for (int ca = 0; ca < dofs.count[a]; ++ca)
@@ -135,25 +103,33 @@ SymmetricMatrix solidMatrix(const Problem<Dim>& problem, const SolidControls& co
                             const Patches<Dim>& patches, const SolidDofs<Dim>& dofs,
                             const std::vector<double>& mass, const std::vector<double>& h,
                             const Newmark& newmark) {
-    SymmetricMatrix A = emptySolidMatrix<Dim>(patches, dofs);
+    const bool withPressure = controls.formulation == "velocityPressure";
+    SymmetricMatrix A = emptySolidMatrix<Dim>(withPressure ? withNodalPoints<Dim>(patches) : patches, dofs);
     for (int node : dofs.node)
         for (int c = 0; c < dofs.count[node]; ++c)
             A.add(dofs.first[node] + c, dofs.first[node] + c, newmark.massFactor() * mass[node]);
 
+    // strain: dt times the end-point rate, or times the mean of both ends
     const double tangent = controls.stressUpdate == "paper" ? newmark.dt : 0.5 * newmark.dt;
-    for (int i = 0; i < patches.nNodes(); ++i) {
-        if (patches.around->count(i) == 0) continue;
-        const Hypoelastic& material = solidMaterial<Dim>(problem, cells, *patches.around, i);
-        addStiffness<Dim>(A, dofs, material, tangent - dampingTime(material, controls.damping, h[i]),
-                          nodalRow<Dim>(patches, i));
+    for (int p = 0; p < nStressPoints<Dim>(patches); ++p) {
+        if (!isStressPoint<Dim>(patches, p)) continue;
+        const Hypoelastic& material = solidMaterial<Dim>(problem, cells, patches, p);
+        const auto row = pointRow<Dim>(patches, p);
+        addStiffness<Dim>(A, dofs, withPressure ? deviatoric(material, tangent) : elastic(material, tangent), row);
+        const double tau = dampingTime(material, controls.damping, atPoint<Dim>(patches, h, p));
+        addStiffness<Dim>(A, dofs, elastic(material, -tau), row);
     }
     for (int e = 0; e < patches.nCells(); ++e) {
         const Hypoelastic& material = problem.solid(cells.material[e]);
-        double size = 0;
-        for (int node : patches.cell(e)) size += h[node] / (Dim + 1);
-        addStiffness<Dim>(A, dofs, material, dampingTime(material, controls.damping, size),
-                          elementRow<Dim>(patches, e));
+        const double tau = dampingTime(material, controls.damping, cellMean<Dim>(patches, h, e));
+        addStiffness<Dim>(A, dofs, elastic(material, tau), elementRow<Dim>(patches, e));
     }
+    if (!withPressure) return A;
+    const auto atNodes = withNodalPoints<Dim>(patches);
+    for (int i = 0; i < atNodes.nNodes(); ++i)
+        if (isStressPoint<Dim>(atNodes, i))
+            addStiffness<Dim>(A, dofs, volumetric(solidMaterial<Dim>(problem, cells, atNodes, i), tangent),
+                              pointRow<Dim>(atNodes, i));
     return A;
 }
 

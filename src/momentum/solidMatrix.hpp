@@ -1,7 +1,7 @@
 #pragma once
 // The assembled momentum matrix of the solid nodes, interface included (41)-(42).
 
-#include "integration/nodalPatches.hpp"
+#include "integration/stressPoints.hpp"
 #include "linear/symmetricMatrix.hpp"
 #include "momentum/controls.hpp"
 #include "momentum/newmark.hpp"
@@ -23,8 +23,9 @@ struct SolidDofs {
 template <int Dim>
 SolidDofs<Dim> solidDofs(const NodeToCells& solid, const NodeConstraints<Dim>& constraints);
 
-/// A_s = massFactor * m + (c - tau_s) K_nodal + tau_s K_element,  K = sum Omega G^T C G,
-/// c = dt/2 (rotated midpoint) or dt (paper); m = solid + fluid mass per node.
+/// A_s = massFactor * m + (c - tau_s) K_points + tau_s K_element,  K = sum Omega G^T C G,
+/// c = dt (paper) or dt/2 (the others); m = solid + fluid mass per node. With elemental integration both K are one.
+/// velocityPressure: c K_points has the deviatoric part of C alone, the nodal patches give its bulk part kappa I (x) I.
 template <int Dim>
 SymmetricMatrix solidMatrix(const Problem<Dim>& problem, const SolidControls& controls, const Cells<Dim>& cells,
                             const Patches<Dim>& patches, const SolidDofs<Dim>& dofs,

@@ -3,68 +3,139 @@
 #include <cmath>
 
 #include "material/hypoelastic.hpp"
+#include "material/neoHookean.hpp"
 
 namespace pfem {
+
+namespace {
+
+/// Element stress with the force of the energy sum_p Omega_p W(F_p), F_p over the reference patches: the mean of the
+/// points' first Piola stress, carried to the current element by its own F_e. For elements: sigma itself.
+template <int Dim>
+std::vector<Tensor<Dim>> hyperelasticElementStress(const Patches<Dim>& reference,
+                                                   const std::vector<Stress<Dim>>& sigma, const Points<Dim>& x) {
+    const auto F = elementGradient<Dim>(reference, x);
+    const auto pointF = toPoints<Dim>(reference, F);
+    std::vector<Tensor<Dim>> P(sigma.size(), Tensor<Dim>::Zero());
+    for (int p = 0; p < nStressPoints<Dim>(reference); ++p)
+        if (isStressPoint<Dim>(reference, p)) P[p] = firstPiola<Dim>(sigma[p], pointF[p]);
+    auto stress = fromPoints<Dim>(reference, std::move(P));
+    for (int e = 0; e < reference.nCells(); ++e) stress[e] *= F[e].transpose() / F[e].determinant();
+    return stress;
+}
+
+template <int Dim>
+std::vector<Tensor<Dim>> cauchyElementStress(const Patches<Dim>& patches, const std::vector<Stress<Dim>>& sigma) {
+    std::vector<Tensor<Dim>> point(sigma.size());
+    for (std::size_t p = 0; p < sigma.size(); ++p) point[p] = stressTensor<Dim>(sigma[p]);
+    return fromPoints<Dim>(patches, std::move(point));
+}
+
+}  // namespace
 
 double dampingTime(const Hypoelastic& material, double alpha, double h) {
     return alpha * h * std::sqrt(material.rho / material.E);
 }
 
 template <int Dim>
-const Hypoelastic& solidMaterial(const Problem<Dim>& problem, const Cells<Dim>& cells, const NodeToCells& around,
-                                 int node) {
-    return problem.solid(cells.material[around.cell[around.start[node]]]);
+const Hypoelastic& solidMaterial(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
+                                 int point) {
+    return problem.solid(cells.material[cellOfPoint<Dim>(patches, point)]);
 }
 
 template <int Dim>
-std::vector<Stress<Dim>> solidStress(const Problem<Dim>& problem, const SolidControls& controls,
-                                     const Cells<Dim>& cells, const Patches<Dim>& midpoint,
-                                     const Patches<Dim>& end, const Nodes<Dim>& old, const Nodes<Dim>& trial,
-                                     double dt) {
-    const NodeToCells& around = *end.around;
-    std::vector<Stress<Dim>> sigma = old.sigma;
-    const bool paper = controls.stressUpdate == "paper";
-    Points<Dim> increment(old.x.size());
-    if (!paper)
+Points<Dim> gradientPositions(const SolidControls& controls, const Nodes<Dim>& old, const Nodes<Dim>& trial) {
+    if (controls.stressUpdate == "paper") return trial.x;
+    if (controls.stressUpdate == "neoHookean") return trial.X;
+    Points<Dim> middle(old.x.size());
+    for (std::size_t i = 0; i < middle.size(); ++i) middle[i] = 0.5 * (old.x[i] + trial.x[i]);
+    return middle;
+}
+
+namespace {
+
+/// sigma^{n+1} at the stress points by the law that the user has chosen.
+template <int Dim>
+std::vector<Stress<Dim>> updatedStress(const Problem<Dim>& problem, const SolidControls& controls,
+                                       const Cells<Dim>& cells, const Patches<Dim>& patches, const Nodes<Dim>& old,
+                                       const Nodes<Dim>& trial, double dt) {
+    auto sigma = storedAtPoints<Dim>(patches, old.sigma, cells.sigma);
+    const auto update = [&](const Points<Dim>& field, const auto& law) {
+        const auto gradient = toPoints<Dim>(patches, elementGradient<Dim>(patches, field));
+        for (int p = 0; p < nStressPoints<Dim>(patches); ++p)
+            if (isStressPoint<Dim>(patches, p))
+                sigma[p] = law(solidMaterial<Dim>(problem, cells, patches, p), sigma[p], gradient[p]);
+    };
+    using Law = const Hypoelastic&;
+    using Old = const Stress<Dim>&;
+    using Gradient = const Tensor<Dim>&;
+    if (controls.stressUpdate == "paper") {
+        update(trial.v, [&](Law m, Old s, Gradient L) { return paperUpdate<Dim>(m, s, L, dt); });
+    } else if (controls.stressUpdate == "neoHookean") {
+        update(trial.x, [](Law m, Old, Gradient F) { return neoHookeanStress<Dim>(m, F); });
+    } else {
+        Points<Dim> increment(old.x.size());
         for (std::size_t i = 0; i < increment.size(); ++i)  // x - x^n without its cancellation
             increment[i] = 0.5 * dt * (old.v[i] + trial.v[i]);
-    const auto gradient = paper ? nodalMean<Dim>(end, elementGradient<Dim>(end, trial.v))
-                                : nodalMean<Dim>(midpoint, elementGradient<Dim>(midpoint, increment));
-    for (int i = 0; i < end.nNodes(); ++i) {
-        if (around.count(i) == 0) continue;
-        const Hypoelastic& material = solidMaterial<Dim>(problem, cells, around, i);
-        sigma[i] = paper ? paperUpdate<Dim>(material, old.sigma[i], gradient[i], dt)
-                         : rotatedMidpoint<Dim>(material, old.sigma[i], gradient[i]);
+        update(increment, [](Law m, Old s, Gradient du) { return rotatedMidpoint<Dim>(m, s, du); });
     }
     return sigma;
 }
 
+}  // namespace
+
 template <int Dim>
-std::vector<Tensor<Dim>> solidElementStress(const Problem<Dim>& problem, const SolidControls& controls,
-                                            const Cells<Dim>& cells, const Patches<Dim>& end,
-                                            const Nodes<Dim>& trial) {
-    const auto symmetric = [](const Tensor<Dim>& L) { return Tensor<Dim>(0.5 * (L + L.transpose())); };
-    const auto L = elementGradient<Dim>(end, trial.v);
-    const auto mean = elementMean<Dim>(end, nodalMean<Dim>(end, L));
-    std::vector<Tensor<Dim>> stress(L.size(), Tensor<Dim>::Zero());
-    for (int e = 0; e < end.nCells(); ++e) {
-        const Hypoelastic& material = problem.solid(cells.material[e]);
-        double size = 0;
-        for (int node : end.cell(e)) {
-            stress[e] += stressTensor<Dim>(trial.sigma[node]) / (Dim + 1);
-            size += trial.h[node] / (Dim + 1);
-        }
-        stress[e] += dampingTime(material, controls.damping, size) *
-                     stressTensor<Dim>(elasticStress<Dim>(material, symmetric(L[e] - mean[e])));
-    }
+SolidStress<Dim> solidStress(const Problem<Dim>& problem, const SolidControls& controls, const Cells<Dim>& cells,
+                             const Patches<Dim>& patches, const Nodes<Dim>& old, const Nodes<Dim>& trial, double dt) {
+    SolidStress<Dim> stress;
+    stress.point = updatedStress<Dim>(problem, controls, cells, patches, old, trial, dt);
+    if (controls.formulation == "velocity") return stress;
+    const auto atNodes = updatedStress<Dim>(problem, controls, cells, withNodalPoints<Dim>(patches), old, trial, dt);
+    for (auto& sigma : stress.point) sigma = deviator<Dim>(sigma);
+    for (int i = 0; i < patches.nNodes(); ++i)
+        stress.pressure.push_back(patches.around->count(i) > 0 ? pressure<Dim>(atNodes[i]) : 0);
     return stress;
 }
 
-template const Hypoelastic& solidMaterial<2>(const Problem<2>&, const Cells<2>&, const NodeToCells&, int);
-template std::vector<Stress<2>> solidStress<2>(const Problem<2>&, const SolidControls&, const Cells<2>&,
-                                               const Patches<2>&, const Patches<2>&, const Nodes<2>&,
-                                               const Nodes<2>&, double);
-template std::vector<Tensor<2>> solidElementStress<2>(const Problem<2>&, const SolidControls&, const Cells<2>&,
-                                                      const Patches<2>&, const Nodes<2>&);
+template <int Dim>
+std::vector<Tensor<Dim>> solidElementStress(const Problem<Dim>& problem, const SolidControls& controls,
+                                            const Cells<Dim>& cells, const Patches<Dim>& patches,
+                                            const Patches<Dim>& end, const SolidStress<Dim>& stress,
+                                            const Nodes<Dim>& trial) {
+    auto sum = controls.stressUpdate == "neoHookean" ? hyperelasticElementStress<Dim>(patches, stress.point, trial.x)
+                                                     : cauchyElementStress<Dim>(end, stress.point);
+    const auto L = elementGradient<Dim>(end, trial.v);
+    const auto mean = fromPoints<Dim>(end, toPoints<Dim>(end, L));
+    for (int e = 0; e < end.nCells(); ++e) {
+        const Hypoelastic& material = problem.solid(cells.material[e]);
+        const Tensor<Dim> zigzag = L[e] - mean[e];
+        sum[e] += dampingTime(material, controls.damping, cellMean<Dim>(end, trial.h, e)) *
+                  stressTensor<Dim>(elasticStress<Dim>(material, 0.5 * (zigzag + zigzag.transpose())));
+        if (!stress.pressure.empty()) sum[e] -= cellMean<Dim>(end, stress.pressure, e) * Tensor<Dim>::Identity();
+    }
+    return sum;
+}
+
+template <int Dim>
+void storeSolidStress(const Patches<Dim>& patches, SolidStress<Dim> stress, std::vector<Stress<Dim>>& nodal,
+                      std::vector<Stress<Dim>>& cell) {
+    storeFromPoints<Dim>(patches, std::move(stress.point), nodal, cell);
+    if (stress.pressure.empty()) return;
+    for (std::size_t i = 0; i < nodal.size(); ++i) nodal[i] = withPressure<Dim>(nodal[i], stress.pressure[i]);
+    for (std::size_t e = 0; e < cell.size(); ++e)
+        cell[e] = withPressure<Dim>(cell[e], cellMean<Dim>(patches, stress.pressure, static_cast<int>(e)));
+}
+
+#define PFEM_INSTANTIATE(D)                                                                                        \
+    template const Hypoelastic& solidMaterial<D>(const Problem<D>&, const Cells<D>&, const Patches<D>&, int);      \
+    template Points<D> gradientPositions<D>(const SolidControls&, const Nodes<D>&, const Nodes<D>&);               \
+    template SolidStress<D> solidStress<D>(const Problem<D>&, const SolidControls&, const Cells<D>&,               \
+                                           const Patches<D>&, const Nodes<D>&, const Nodes<D>&, double);           \
+    template std::vector<Tensor<D>> solidElementStress<D>(const Problem<D>&, const SolidControls&, const Cells<D>&, \
+                                                          const Patches<D>&, const Patches<D>&,                    \
+                                                          const SolidStress<D>&, const Nodes<D>&);                 \
+    template void storeSolidStress<D>(const Patches<D>&, SolidStress<D>, std::vector<Stress<D>>&,                  \
+                                      std::vector<Stress<D>>&);
+PFEM_INSTANTIATE(2)
 
 }  // namespace pfem

@@ -1,32 +1,52 @@
 #pragma once
-// Stress of the solid's patches at the end of the step (36)-(39), and the zig-zag damper.
+// Stress of the solid's stress points at the end of the step (36)-(39), and the zig-zag damper.
 
-#include "integration/nodalPatches.hpp"
+#include "integration/stressPoints.hpp"
 #include "momentum/controls.hpp"
 #include "momentum/newmark.hpp"
 #include "state/problem.hpp"
 
 namespace pfem {
 
-/// Material of each solid node: that of its first cell (bodies of different materials do not share patches).
+/// Material of a stress point.
 template <int Dim>
-const Hypoelastic& solidMaterial(const Problem<Dim>& problem, const Cells<Dim>& cells, const NodeToCells& around,
-                                 int node);
+const Hypoelastic& solidMaterial(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
+                                 int point);
 
-/// sigma^{n+1} from sigma^n and the trial motion, evaluated afresh at every iteration.
-///   midpoint: patches at (x^n + x)/2 (rotatedMidpoint);  end: patches at x (paper)
+/// The positions whose gradients the stress update takes: (x^n + x)/2 (rotatedMidpoint), x (paper), X (neoHookean).
 template <int Dim>
-std::vector<Stress<Dim>> solidStress(const Problem<Dim>& problem, const SolidControls& controls,
-                                     const Cells<Dim>& cells, const Patches<Dim>& midpoint,
-                                     const Patches<Dim>& end, const Nodes<Dim>& old, const Nodes<Dim>& trial,
-                                     double dt);
+Points<Dim> gradientPositions(const SolidControls& controls, const Nodes<Dim>& old, const Nodes<Dim>& trial);
 
-/// Element stress that makes the nodal force: the mean of the cell's nodal stresses plus the damper's
-/// tau_s (C d_e - mean over the cell's nodes of C d_I), which vanishes for linear velocity fields.
+/// The solid's stress in one iterate.
+template <int Dim>
+struct SolidStress {
+    std::vector<Stress<Dim>> point;  // per stress point: sigma, or the deviator s where there is a pressure
+    std::vector<double> pressure;    // velocityPressure: p per node, zero outside the material; else empty
+};
+
+/// sigma^{n+1} of every stress point from sigma^n (stored in old.sigma or cells.sigma) and the trial motion, evaluated
+/// afresh at every iteration; of points outside the material the stored value. velocityPressure: s of the stress points
+/// and p of the nodes, p = p^n - kappa tr(De_I) with the strain increment of the nodal patch: that is the mass equation
+/// (1/kappa) dp/dt + div v = 0 with lumped test functions, solved for p at each node.
+///   patches: at gradientPositions
+template <int Dim>
+SolidStress<Dim> solidStress(const Problem<Dim>& problem, const SolidControls& controls,
+                                     const Cells<Dim>& cells, const Patches<Dim>& patches, const Nodes<Dim>& old,
+                                     const Nodes<Dim>& trial, double dt);
+
+/// Element stress that makes the nodal force from the points' stress (fromPoints) and the pressure, plus the damper's
+/// tau_s C : (d_e - fromPoints(d)_e), which vanishes for linear velocity fields and for elemental integration.
+///   patches: at gradientPositions;  end: at trial.x
 template <int Dim>
 std::vector<Tensor<Dim>> solidElementStress(const Problem<Dim>& problem, const SolidControls& controls,
-                                            const Cells<Dim>& cells, const Patches<Dim>& end,
+                                            const Cells<Dim>& cells, const Patches<Dim>& patches,
+                                            const Patches<Dim>& end, const SolidStress<Dim>& stress,
                                             const Nodes<Dim>& trial);
+
+/// Store the accepted stress at nodes and, elemental, in cells: sigma = s - p I; see storeFromPoints.
+template <int Dim>
+void storeSolidStress(const Patches<Dim>& patches, SolidStress<Dim> stress, std::vector<Stress<Dim>>& nodal,
+                      std::vector<Stress<Dim>>& cell);
 
 /// tau_s = alpha h sqrt(rho/E) [s].
 double dampingTime(const Hypoelastic& material, double alpha, double h);

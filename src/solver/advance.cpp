@@ -94,6 +94,7 @@ AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Sta
     const std::vector<int> wallsOld = state.nodes.wall;
     const Points<Dim> xOld = std::move(state.nodes.x);
     state.nodes = std::move(result.nodes);
+    state.mesh.solid.sigma = std::move(result.cellSigma);
 
     const double moved = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes);
     const double correction = divTarget * volume * report.dt;

@@ -32,6 +32,7 @@ struct ConvergenceControls {
 
 /// All of system/pfemSolution.
 struct Controls {
+    IntegrationControls integration;
     TimeIntegrationControls timeIntegration;
     ConvergenceControls convergence;
     MomentumControls momentum;

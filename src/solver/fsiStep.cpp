@@ -19,13 +19,6 @@ namespace pfem {
 
 namespace {
 
-template <int Dim>
-Points<Dim> midpoint(const Points<Dim>& a, const Points<Dim>& b) {
-    Points<Dim> m(a.size());
-    for (std::size_t i = 0; i < a.size(); ++i) m[i] = 0.5 * (a[i] + b[i]);
-    return m;
-}
-
 /// Positions and accelerations that follow from the trial velocities (22). Isolated particles are in ballistic flight
 /// or slide down their wall.
 template <int Dim>
@@ -110,9 +103,10 @@ StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, c
     Nodes<Dim> trial = old;
 
     // the matrices, at x^n, once per step
-    Patches<Dim> fluid = makePatches<Dim>(mesh.fluid.nodes, topology.fluid, old.x);
-    Patches<Dim> solid = makePatches<Dim>(mesh.solid.nodes, topology.solid, old.x);
-    Patches<Dim> solidMid = solid;
+    const Integration scheme = controls.integration.scheme();
+    Patches<Dim> fluid = makePatches<Dim>(mesh.fluid.nodes, topology.fluid, old.x, scheme);
+    Patches<Dim> solid = makePatches<Dim>(mesh.solid.nodes, topology.solid, old.x, scheme);
+    Patches<Dim> solidGradients = solid;  // at the positions that the stress update asks for
     const auto massOfSolid = solidMass<Dim>(problem, mesh.solid, old.X);
     auto mass = nodalMass<Dim>(problem, mesh, fluid, massOfSolid);
     auto dofs = solidDofs<Dim>(topology.solid, constraints);
@@ -127,6 +121,7 @@ StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, c
                             pressureScale<Dim>(problem, mesh, old));
     StepReport report;
     std::vector<double> dp;
+    SolidStress<Dim> stressOfSolid;
     moveNodes<Dim>(newmark, constraints, topology, problem.gravity, old, trial);
     const int waiting = collapses<Dim>(fluid, trial.x) ? 2 : 0;
     for (bool converged = false; !converged;) {
@@ -137,13 +132,14 @@ StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, c
         // patches, stresses, momentum residual, velocities
         updatePatches<Dim>(fluid, report.iterations < waiting ? old.x : trial.x);
         updatePatches<Dim>(solid, trial.x);
-        updatePatches<Dim>(solidMid, midpoint<Dim>(old.x, trial.x));
+        updatePatches<Dim>(solidGradients, gradientPositions<Dim>(controls.solid, old, trial));
         mass = nodalMass<Dim>(problem, mesh, fluid, massOfSolid);
-        trial.sigma = solidStress<Dim>(problem, controls.solid, mesh.solid, solidMid, solid, old, trial, dt);
+        stressOfSolid = solidStress<Dim>(problem, controls.solid, mesh.solid, solidGradients, old, trial, dt);
         const auto R_m = momentumResidual<Dim>(
             mass, trial.a, problem.gravity, fluid,
             fluidStress<Dim>(problem, mesh.fluid, fluid, trial.v, trial.p), solid,
-            solidElementStress<Dim>(problem, controls.solid, mesh.solid, solid, trial),
+            solidElementStress<Dim>(problem, controls.solid, mesh.solid, solidGradients, solid, stressOfSolid,
+                                    trial),
             tractionForce<Dim>(mesh, problem.conditions, trial.x));
         momentum.setMass(mass);
         const auto dv = momentum.solve(R_m);
@@ -168,7 +164,9 @@ StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, c
     }
     updatePatches<Dim>(solid, trial.x);
     checkPatches<Dim>(fluid, solid, trial);
-    return {std::move(trial), report};
+    StepResult<Dim> result{std::move(trial), {}, report};
+    storeSolidStress<Dim>(solid, std::move(stressOfSolid), result.nodes.sigma, result.cellSigma);
+    return result;
 }
 
 template <int Dim>

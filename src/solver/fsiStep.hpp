@@ -17,6 +17,7 @@ struct StepReport {
 template <int Dim>
 struct StepResult {
     Nodes<Dim> nodes;
+    std::vector<Stress<Dim>> cellSigma;  // of the solid's cells, for Cells::sigma; empty with nodal integration
     StepReport report;
 };
 

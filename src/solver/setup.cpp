@@ -65,6 +65,7 @@ Controls readControls(const Case& theCase) {
     Controls controls;
     if (!std::filesystem::exists(theCase.system("pfemSolution"))) return controls;
     const Dictionary dict = Dictionary::read(theCase.system("pfemSolution"));
+    readEntries(dict, controls.integration);
     readPart(dict, "timeIntegration", controls.timeIntegration);
     readPart(dict, "convergence", controls.convergence);
     if (controls.convergence.minIterations > controls.convergence.maxIterations)
@@ -72,6 +73,8 @@ Controls readControls(const Case& theCase) {
     readPart(dict, "momentum", controls.momentum);
     readPart(dict, "continuity", controls.continuity);
     readPart(dict, "solid", controls.solid);
+    if (controls.solid.formulation == "velocityPressure" && controls.solid.stressUpdate == "neoHookean")
+        dict.subDict("solid").fatal("formulation", "velocityPressure is not for the stressUpdate neoHookean");
     readPart(dict, "remeshing", controls.remeshing);
     warnUnused(dict, std::cerr);
     return controls;

@@ -1,5 +1,6 @@
 #pragma once
-// All that a run knows at one instant; a time folder holds exactly this. Only nodes carry history.
+// All that a run knows at one instant; a time folder holds exactly this. Only nodes carry history, and with elemental
+// integration the solid's cells (Cells::sigma), which last for the whole run.
 
 #include <map>
 #include <string>
@@ -18,7 +19,7 @@ struct Nodes {
     Points<Dim> v;                    // velocity [m/s]
     Points<Dim> a;                    // acceleration [m/s2]
     std::vector<double> p;            // fluid pressure, positive in compression [Pa]
-    std::vector<Stress<Dim>> sigma;   // Cauchy stress of the solid patch [Pa], zero elsewhere
+    std::vector<Stress<Dim>> sigma;   // Cauchy stress of the solid patch [Pa] (elemental: mean of cells), else zero
     Points<Dim> X;                    // reference position; D = x - X [m]
     std::vector<double> h;            // wanted distance to the neighbours [m]
     std::vector<double> dropVolume;   // volume carried by an isolated particle [m2 (2D), m3]

@@ -59,6 +59,9 @@ inline State<2> sampleState() {
     s.nodes.dropVolume[6] = 1e-5 / 3;
     s.mesh.fluid = {{{0, 1, 2}, {2, 3, 0}}, {1, 0}};
     s.mesh.solid = {{{5, 1, 4}, {1, 5, 2}}, {2, 2}};
+    s.mesh.solid.sigma.resize(2);  // as with elemental integration
+    s.mesh.solid.sigma[0] << 1.0 / 7, 5e-324, -0.0, 3e5;
+    s.mesh.solid.sigma[1] << -1e-300, 2.0 / 3, 1e300, 0.0;
     s.mesh.patches = {{"walls", {{{1, 0}}, {{0, 3}}, {{3, 7}}}}, {"nothingHere", {}}, {"clamp", {{{4, 5}}}}};
     s.mesh.materials = {"water", "oil", "rubber"};
     return s;
@@ -92,6 +95,8 @@ inline void expectIdentical(const State<2>& a, const State<2>& b) {
     EXPECT_EQ(a.mesh.fluid.material, b.mesh.fluid.material);
     EXPECT_EQ(a.mesh.solid.nodes, b.mesh.solid.nodes);
     EXPECT_EQ(a.mesh.solid.material, b.mesh.solid.material);
+    EXPECT_TRUE(sameBits(a.mesh.solid.sigma, b.mesh.solid.sigma));
+    EXPECT_TRUE(sameBits(a.mesh.fluid.sigma, b.mesh.fluid.sigma));
     EXPECT_EQ(a.mesh.materials, b.mesh.materials);
     ASSERT_EQ(a.mesh.patches.size(), b.mesh.patches.size());
     for (std::size_t k = 0; k < a.mesh.patches.size(); ++k) {

@@ -34,6 +34,17 @@ TEST(StateFiles, RoundTripRestoresEveryBit) {
     expectIdentical(state, readState<2>(folder.path() / "0.3"));
 }
 
+// Nodal integration: no stress in cells.
+TEST(StateFiles, WithoutStressInCells) {
+    const TemporaryFolder folder;
+    State<2> state = sampleState();
+    state.mesh.solid.sigma.clear();
+    writeState(folder.path() / "0.3", state);
+    expectIdentical(state, readState<2>(folder.path() / "0.3"));
+    state.mesh.solid.sigma.resize(1, Stress<2>::Zero());
+    EXPECT_THROW(writeState(folder.path() / "0.3", state), InternalError);
+}
+
 TEST(StateFiles, EmptyStateIsValid) {
     const TemporaryFolder folder;
     State<2> state;

@@ -109,8 +109,9 @@ TEST(Topology, facesOfSlidingNodes) {
     EXPECT_EQ(kinds.at({1, 3}), FaceKind::freeSurface);
     EXPECT_TRUE(t.onWall[1] && t.onWall[6] && !t.onWall[4]);
     EXPECT_FALSE(t.isolated(0));  // a dry corner
-    const auto across = facesOf(makeTopology<2>({{{{2, 6, 3}}, {0}}, {}, mesh.patches, {}},
-                                                {PatchKind::symmetry, PatchKind::slipWall}, wall));
+    mesh.fluid.nodes = {{2, 6, 3}};
+    mesh.fluid.material = {0};
+    const auto across = facesOf(makeTopology<2>(mesh, {PatchKind::symmetry, PatchKind::slipWall}, wall));
     EXPECT_EQ(across.at({2, 6}), FaceKind::freeSurface);  // two walls: across the corner, not along a wall
 }
 

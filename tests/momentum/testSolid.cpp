@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "material/neoHookean.hpp"
 #include "momentum/mass.hpp"
 #include "momentum/solidMatrix.hpp"
 #include "momentum/solidStress.hpp"
@@ -21,26 +22,37 @@ struct Solid {
     int n = c.state.nodes.size();
     const Cells<2>& cells = c.state.mesh.solid;
 
-    Patches<2> patches(const Points<2>& x) const { return makePatches<2>(cells.nodes, topology.solid, x); }
+    Integration scheme = Integration::nodal;
 
-    /// Positions at the end of the step, stress there, force.
-    Nodes<2> trial(const SolidControls& controls, const Nodes<2>& old, const Points<2>& v, double dt) const {
+    Patches<2> patches(const Points<2>& x) const { return makePatches<2>(cells.nodes, topology.solid, x, scheme); }
+
+    /// Positions at the end of the step and the stress there.
+    struct Trial {
+        Nodes<2> nodes;
+        SolidStress<2> stress;
+    };
+    Trial trial(const SolidControls& controls, const Nodes<2>& old, const Points<2>& v, double dt) const {
         Nodes<2> t = old;
         t.v = v;
-        Points<2> middle(n);
-        for (int i = 0; i < n; ++i) {
-            t.x[i] = Newmark{dt}.position<2>(old.x[i], old.v[i], v[i]);
-            middle[i] = 0.5 * (t.x[i] + old.x[i]);
-        }
-        t.sigma = solidStress<2>(c.problem, controls, cells, patches(middle), patches(t.x), old, t, dt);
-        return t;
+        for (int i = 0; i < n; ++i) t.x[i] = Newmark{dt}.position<2>(old.x[i], old.v[i], v[i]);
+        return stressOf(controls, old, t, dt);
     }
-    Points<2> force(const SolidControls& controls, const Nodes<2>& t) const {
+    Trial stressOf(const SolidControls& controls, const Nodes<2>& old, const Nodes<2>& t, double dt) const {
+        const auto gradients = patches(gradientPositions<2>(controls, old, t));
+        return {t, solidStress<2>(c.problem, controls, cells, gradients, old, t, dt)};
+    }
+    Points<2> force(const SolidControls& controls, const Nodes<2>& old, const Trial& t) const {
         Points<2> f(n, Vec<2>::Zero());
-        const auto end = patches(t.x);
-        addInternalForce<2>(end, solidElementStress<2>(c.problem, controls, cells, end, t), f);
+        const auto gradients = patches(gradientPositions<2>(controls, old, t.nodes)), end = patches(t.nodes.x);
+        addInternalForce<2>(end, solidElementStress<2>(c.problem, controls, cells, gradients, end, t.stress, t.nodes), f);
         return f;
     }
+    /// Force of the damper alone: no stress.
+    Points<2> dampingForce(const SolidControls& controls, const Nodes<2>& nodes) const {
+        const std::vector<Stress<2>> zero(nStressPoints<2>(patches(nodes.x)), Stress<2>::Zero());
+        return force(controls, nodes, {nodes, {zero, {}}});
+    }
+    bool carries(int p) const { return isStressPoint<2>(patches(c.state.nodes.x), p); }
 };
 
 Eigen::VectorXd gather(const SolidDofs<2>& dofs, const Points<2>& u) {
@@ -51,14 +63,17 @@ Eigen::VectorXd gather(const SolidDofs<2>& dofs, const Points<2>& u) {
     return r;
 }
 
-class SolidTangent : public testing::TestWithParam<std::tuple<const char*, double, double>> {};
+class SolidTangent
+    : public testing::TestWithParam<std::tuple<const char*, double, double, Integration, const char*>> {};
 
-// A_s = d(residual)/dv at small strain, for both updates, with and without damper, both time schemes.
+// A_s = d(residual)/dv at small strain, for all updates, with and without damper, both time schemes and integrations.
 TEST_P(SolidTangent, isTheDerivativeOfTheResidual) {
     Solid s;
+    s.scheme = std::get<3>(GetParam());
     SolidControls controls;
     controls.stressUpdate = std::get<0>(GetParam());
     controls.damping = std::get<1>(GetParam());
+    controls.formulation = std::get<4>(GetParam());
     const Newmark newmark{2e-3, std::get<2>(GetParam())};
     const auto mass = solidMass<2>(s.c.problem, s.cells, s.c.state.nodes.X);
     const auto& old = s.c.state.nodes;
@@ -71,7 +86,7 @@ TEST_P(SolidTangent, isTheDerivativeOfTheResidual) {
     const auto residual = [&](double factor) {
         Points<2> v = w;
         for (auto& u : v) u *= factor;
-        Points<2> R = s.force(controls, s.trial(controls, old, v, newmark.dt));
+        Points<2> R = s.force(controls, old, s.trial(controls, old, v, newmark.dt));
         for (int i = 0; i < s.n; ++i) R[i] += mass[i] * newmark.acceleration<2>(old.v[i], v[i], old.a[i]);
         return gather(dofs, R);
     };
@@ -88,8 +103,14 @@ TEST_P(SolidTangent, isTheDerivativeOfTheResidual) {
 }
 
 INSTANTIATE_TEST_SUITE_P(updates, SolidTangent,
+                         testing::Combine(testing::Values("rotatedMidpoint", "paper", "neoHookean"),
+                                          testing::Values(0.0, 0.1), testing::Values(0.5, 1.0),
+                                          testing::Values(Integration::nodal, Integration::elemental),
+                                          testing::Values("velocity")));
+INSTANTIATE_TEST_SUITE_P(velocityPressure, SolidTangent,
                          testing::Combine(testing::Values("rotatedMidpoint", "paper"), testing::Values(0.0, 0.1),
-                                          testing::Values(0.5, 1.0)));
+                                          testing::Values(0.5), testing::Values(Integration::nodal, Integration::elemental),
+                                          testing::Values("velocityPressure")));
 
 TEST(Damper, vanishesForLinearFieldsAndDissipatesTheRest) {
     Solid s;
@@ -99,10 +120,13 @@ TEST(Damper, vanishesForLinearFieldsAndDissipatesTheRest) {
     Tensor<2> L;
     L << 0.3, -1, 0.7, 0.2;
     for (int i = 0; i < s.n; ++i) nodes.v[i] = L * nodes.x[i];
-    EXPECT_LT(largest(s.force(controls, nodes)), 1e-9);
+    EXPECT_LT(largest(s.dampingForce(controls, nodes)), 1e-9);
     for (unsigned seed = 1; seed < 6; ++seed) {
+        s.scheme = Integration::nodal;
         nodes.v = randomVectors(s.n, seed);
-        EXPECT_GT(dot(nodes.v, s.force(controls, nodes)), 1.0);
+        EXPECT_GT(dot(nodes.v, s.dampingForce(controls, nodes)), 1.0);
+        s.scheme = Integration::elemental;  // no zig-zag modes, no damper
+        EXPECT_EQ(largest(s.dampingForce(controls, nodes)), 0.0);
     }
 }
 
@@ -112,55 +136,119 @@ TEST(Damper, timeScale) {
 
 // A block that turns rigidly, node by node, by 360 degrees: its stress turns with it.
 TEST(SolidStress, stressedBlockTurnsBy360Degrees) {
-    Solid s;
-    const SolidControls controls;
-    for (const bool stressed : {true, false}) {
-        Nodes<2> nodes = s.c.state.nodes;
-        Stress<2> sigma0;
-        sigma0 << 3e3, -1e3, 5e2, 2e3;
-        if (!stressed) sigma0.setZero();
-        for (int i = 0; i < s.n; ++i)
-            if (s.topology.onSolid[i]) nodes.sigma[i] = sigma0;
-        const int steps = 60;
-        const double dt = 0.01, scale = stressed ? sigma0.norm() : 2e5;
-        for (int k = 0; k < steps; ++k) {
-            Nodes<2> next = nodes;
-            const Tensor<2> R = Eigen::Rotation2Dd(2 * M_PI * (k + 1) / steps).toRotationMatrix();
-            Points<2> middle(s.n);
-            for (int i = 0; i < s.n; ++i) {
-                next.x[i] = Vec<2>(1, 2) + R * (nodes.X[i] - Vec<2>(1, 2));
-                middle[i] = 0.5 * (next.x[i] + nodes.x[i]);
-                nodes.v[i] = next.v[i] = (next.x[i] - nodes.x[i]) / dt;
+    for (const Integration scheme : {Integration::nodal, Integration::elemental})
+        for (const auto& [stressed, formulation] :
+             {std::pair(true, "velocity"), std::pair(false, "velocity"), std::pair(true, "velocityPressure")}) {
+            Solid s;
+            s.scheme = scheme;
+            SolidControls controls;
+            controls.formulation = formulation;
+            Nodes<2> nodes = s.c.state.nodes;
+            Stress<2> sigma0;
+            sigma0 << 3e3, -1e3, 5e2, 2e3;
+            if (!stressed) sigma0.setZero();
+            for (int i = 0; i < s.n; ++i)
+                if (s.topology.onSolid[i]) nodes.sigma[i] = sigma0;
+            const int steps = 60;
+            const double dt = 0.01, scale = stressed ? sigma0.norm() : 2e5;
+            for (int k = 0; k < steps; ++k) {
+                Nodes<2> next = nodes;
+                const Tensor<2> R = Eigen::Rotation2Dd(2 * M_PI * (k + 1) / steps).toRotationMatrix();
+                for (int i = 0; i < s.n; ++i) {
+                    next.x[i] = Vec<2>(1, 2) + R * (nodes.X[i] - Vec<2>(1, 2));
+                    nodes.v[i] = next.v[i] = (next.x[i] - nodes.x[i]) / dt;
+                }
+                auto stress = s.stressOf(controls, nodes, next, dt).stress;
+                storeSolidStress<2>(s.patches(next.x), std::move(stress), next.sigma, s.c.state.mesh.solid.sigma);
+                nodes = next;
             }
-            next.sigma = solidStress<2>(s.c.problem, controls, s.cells, s.patches(middle), s.patches(next.x), nodes,
-                                        next, dt);
-            nodes = next;
+            EXPECT_EQ(s.cells.sigma.empty(), scheme == Integration::nodal);
+            for (const auto& sigma : s.cells.sigma) EXPECT_LT((sigma - sigma0).norm(), 1e-9 * scale);
+            for (int i = 0; i < s.n; ++i)
+                if (s.topology.onSolid[i]) {
+                    EXPECT_LT((nodes.sigma[i] - sigma0).norm(), 1e-9 * scale);
+                }
         }
-        for (int i = 0; i < s.n; ++i)
-            if (s.topology.onSolid[i]) {
-                EXPECT_LT((nodes.sigma[i] - sigma0).norm(), 1e-9 * scale);
-            }
-    }
 }
 
-// Uniaxial strain of the whole mesh: M = E (1-nu)/((1+nu)(1-2nu)) in every patch, interface included.
+// Uniaxial strain of the whole mesh: M = E (1-nu)/((1+nu)(1-2nu)) in every stress point, interface included.
 TEST(SolidStress, uniaxialStrain) {
-    Solid s;
     const double E = 2e5, nu = 0.3, M = E * (1 - nu) / ((1 + nu) * (1 - 2 * nu)), dt = 1e-3, strain = 1e-6;
-    for (const char* update : {"rotatedMidpoint", "paper"}) {
+    for (const Integration scheme : {Integration::nodal, Integration::elemental})
+        for (const char* update : {"rotatedMidpoint", "paper", "neoHookean"}) {
+            Solid s;
+            s.scheme = scheme;
+            SolidControls controls;
+            controls.stressUpdate = update;
+            Points<2> v(s.n);
+            for (int i = 0; i < s.n; ++i) v[i] = Vec<2>(0, strain / dt * s.c.state.nodes.x[i][1]);
+            Nodes<2> old = s.c.state.nodes;
+            old.v = v;  // steady: the displacement of the step is dt v
+            const auto t = s.trial(controls, old, v, dt);
+            ASSERT_EQ(static_cast<int>(t.stress.point.size()), scheme == Integration::nodal ? s.n : s.cells.size());
+            for (int p = 0; p < static_cast<int>(t.stress.point.size()); ++p)
+                if (s.carries(p)) {
+                    EXPECT_NEAR(t.stress.point[p][1], M * strain, 1e-5 * M * strain);
+                    EXPECT_NEAR(t.stress.point[p][0], M * strain * nu / (1 - nu), 1e-5 * M * strain);
+                    EXPECT_NEAR(t.stress.point[p][3], 0, 1e-5 * M * strain);
+                }
+        }
+}
+
+// Nodal pressure with nodal deviators is the nodal method itself; with elemental ones it is neither of the two.
+TEST(VelocityPressure, nodalIsTheNodalMethod) {
+    Solid s;
+    SolidControls velocity, mixed;
+    mixed.formulation = "velocityPressure";
+    const auto v = randomVectors(s.n, 8);
+    const auto force = [&](const SolidControls& controls, Integration scheme) {
+        s.scheme = scheme;
+        return s.force(controls, s.c.state.nodes, s.trial(controls, s.c.state.nodes, v, 1e-3));
+    };
+    const auto difference = [](Points<2> a, const Points<2>& b) {
+        for (std::size_t i = 0; i < a.size(); ++i) a[i] -= b[i];
+        return largest(a) / largest(b);
+    };
+    const auto nodal = force(velocity, Integration::nodal), elemental = force(velocity, Integration::elemental);
+    EXPECT_LT(difference(force(mixed, Integration::nodal), nodal), 1e-13);
+    EXPECT_GT(difference(force(mixed, Integration::elemental), nodal), 0.1);
+    EXPECT_GT(difference(force(mixed, Integration::elemental), elemental), 0.1);
+}
+
+// neoHookean: with both integrations the force is the derivative of sum_p Omega_p W(F_p), at large strain too.
+TEST(NeoHookean, forceIsTheDerivativeOfTheEnergy) {
+    for (const Integration scheme : {Integration::nodal, Integration::elemental}) {
+        Solid s;
+        s.scheme = scheme;
         SolidControls controls;
-        controls.stressUpdate = update;
-        Points<2> v(s.n);
-        for (int i = 0; i < s.n; ++i) v[i] = Vec<2>(0, strain / dt * s.c.state.nodes.x[i][1]);
-        Nodes<2> old = s.c.state.nodes;
-        old.v = v;  // steady: the displacement of the step is dt v
-        const auto t = s.trial(controls, old, v, dt);
-        for (int i = 0; i < s.n; ++i)
-            if (s.topology.onSolid[i]) {
-                EXPECT_NEAR(t.sigma[i][1], M * strain, 1e-5 * M * strain);
-                EXPECT_NEAR(t.sigma[i][0], M * strain * nu / (1 - nu), 1e-5 * M * strain);
-                EXPECT_NEAR(t.sigma[i][3], 0, 1e-5 * M * strain);
-            }
+        controls.stressUpdate = "neoHookean";
+        controls.damping = 0;
+        const Nodes<2>& old = s.c.state.nodes;
+        const auto reference = s.patches(old.X);
+        const auto energy = [&](const Points<2>& x) {
+            const auto F = toPoints<2>(reference, elementGradient<2>(reference, x));
+            double sum = 0;
+            for (int p = 0; p < nStressPoints<2>(reference); ++p)
+                if (isStressPoint<2>(reference, p))
+                    sum += pointVolume<2>(reference, p) *
+                           neoHookeanEnergy<2>(solidMaterial<2>(s.c.problem, s.cells, reference, p), F[p]);
+            return sum;
+        };
+        Nodes<2> t = old;
+        const auto shift = randomVectors(s.n, 3), w = randomVectors(s.n, 9);
+        Tensor<2> F;
+        F << 1.2, -0.6, 0.5, 1.1;
+        for (int i = 0; i < s.n; ++i) t.x[i] = F * old.X[i] + 0.012 * shift[i];
+        const auto f = s.force(controls, old, s.stressOf(controls, old, t, 1e-3));
+        const double eps = 1e-6;
+        Points<2> plus = t.x, minus = t.x;
+        for (int i = 0; i < s.n; ++i) {
+            plus[i] += eps * w[i];
+            minus[i] -= eps * w[i];
+        }
+        const double slope = (energy(plus) - energy(minus)) / (2 * eps);
+        EXPECT_GT(std::abs(slope), 1e3);
+        EXPECT_NEAR(dot(f, w), slope, 1e-6 * std::abs(slope));
     }
 }
 

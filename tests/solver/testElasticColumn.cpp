@@ -49,11 +49,13 @@ TEST(ElasticColumn, consistentStart) {
     }
 }
 
-class ElasticColumnOscillates : public testing::TestWithParam<const char*> {};
+class ElasticColumnOscillates : public testing::TestWithParam<std::tuple<const char*, const char*>> {};
 
 TEST_P(ElasticColumnOscillates, periodAndPeak) {
+    const auto [stabilisation, integration] = GetParam();
     TestCase c = column(1500, 2.3e5);
-    useStabilisation(c, GetParam());
+    useStabilisation(c, stabilisation);
+    c.controls.integration.integration = integration;
     c.controls.continuity.volumeCorrectionTime = 0;
     const double dt = 1e-3;
     c.start(dt);
@@ -80,18 +82,28 @@ TEST_P(ElasticColumnOscillates, periodAndPeak) {
     EXPECT_LE(most, 12);
 }
 
-INSTANTIATE_TEST_SUITE_P(, ElasticColumnOscillates, testing::Values("inertia", "bodyForce"),
-                         [](const auto& test) { return std::string(test.param); });
+INSTANTIATE_TEST_SUITE_P(, ElasticColumnOscillates,
+                         testing::Values(std::tuple("inertia", "nodal"), std::tuple("bodyForce", "nodal"),
+                                         std::tuple("inertia", "elemental")),
+                         [](const auto& test) {
+                             return std::string(std::get<0>(test.param)) + "_" + std::get<1>(test.param);
+                         });
 
 struct ColumnCase {
     double rhoS, E;
+    const char* integration = "nodal";
+    const char* formulation = "velocity";
 };
-std::ostream& operator<<(std::ostream& out, const ColumnCase& c) { return out << "rho_s " << c.rhoS << ", E " << c.E; }
+std::ostream& operator<<(std::ostream& out, const ColumnCase& c) {
+    return out << "rho_s " << c.rhoS << ", E " << c.E << ", " << c.integration << ", " << c.formulation;
+}
 
 class ElasticColumnConverges : public testing::TestWithParam<ColumnCase> {};
 
 TEST_P(ElasticColumnConverges, inTwelveIterations) {
     TestCase c = column(GetParam().rhoS, GetParam().E);
+    c.controls.integration.integration = GetParam().integration;
+    c.controls.solid.formulation = GetParam().formulation;
     c.start(1e-3);
     int most = 0, sum = 0;
     for (int n = 0; n < 50; ++n) {
@@ -109,11 +121,15 @@ INSTANTIATE_TEST_SUITE_P(materials, ElasticColumnConverges,
                          testing::Values(ColumnCase{1500, 2.3e4}, ColumnCase{1500, 2.3e5}, ColumnCase{1500, 2.3e7},
                                          ColumnCase{1500, 2.3e9}, ColumnCase{150, 2.3e4}, ColumnCase{150, 2.3e5},
                                          ColumnCase{150, 2.3e7}, ColumnCase{150, 2.3e9}, ColumnCase{15, 2.3e4},
-                                         ColumnCase{15, 2.3e5}, ColumnCase{15, 2.3e7}, ColumnCase{15, 2.3e9}),
+                                         ColumnCase{15, 2.3e5}, ColumnCase{15, 2.3e7}, ColumnCase{15, 2.3e9},
+                                         ColumnCase{1500, 2.3e5, "elemental"}, ColumnCase{15, 2.3e5, "elemental"},
+                                         ColumnCase{150, 2.3e7, "elemental"}, ColumnCase{15, 2.3e9, "elemental"},
+                                         ColumnCase{1500, 2.3e5, "elemental", "velocityPressure"},
+                                         ColumnCase{15, 2.3e5, "elemental", "velocityPressure"}),
                          [](const auto& test) {
                              const int power = static_cast<int>(std::log10(test.param.E));
                              return "rho" + std::to_string(static_cast<int>(test.param.rhoS)) + "_E1e" +
-                                    std::to_string(power);
+                                    std::to_string(power) + "_" + test.param.integration + "_" + test.param.formulation;
                          });
 
 }  // namespace

@@ -29,10 +29,12 @@ double pressureError(const TestCase& c, double level) {
     return error / (1000 * g * level);
 }
 
-class Hydrostatic : public testing::TestWithParam<const char*> {};
+class Hydrostatic : public testing::TestWithParam<std::tuple<const char*, const char*>> {};
 
 TEST_P(Hydrostatic, columnStaysAtRest) {
-    TestCase c = tank(GetParam());
+    const auto [wall, integration] = GetParam();
+    TestCase c = tank(wall);
+    c.controls.integration.integration = integration;
     c.start(1e-3);
     EXPECT_LT(pressureError(c, 0.5), 1e-8) << "consistent start";
     EXPECT_LT(largest(c.state.nodes.a), 1e-6) << "consistent start";
@@ -48,18 +50,24 @@ TEST_P(Hydrostatic, columnStaysAtRest) {
     EXPECT_NEAR(totalVolume<2>(c.state), volume, 1e-9);
 }
 
-INSTANTIATE_TEST_SUITE_P(walls, Hydrostatic, testing::Values("slip", "noSlip"),
-                         [](const auto& test) { return std::string(test.param); });
+INSTANTIATE_TEST_SUITE_P(walls, Hydrostatic,
+                         testing::Combine(testing::Values("slip", "noSlip"), testing::Values("nodal", "elemental")),
+                         [](const auto& test) {
+                             return std::string(std::get<0>(test.param)) + "_" + std::get<1>(test.param);
+                         });
 
 // The column rests on an elastic bottom that has settled: here only the fluid's balance on a solid is looked at,
 // the solid is stiff and weightless enough not to move.
-TEST(HydrostaticOnSolid, columnStaysAtRest) {
+class HydrostaticOnSolid : public testing::TestWithParam<const char*> {};
+
+TEST_P(HydrostaticOnSolid, columnStaysAtRest) {
     TestCase c = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.5) +
                               " } floor { type solid; material stiff; " + rectangle(0, -0.1, 1, 0) +
                               " patches { base { edges ((0 1) (1 2) (2 3) (3 0)); } } } );"
                               " walls ( left { points ((0 1) (0 0)); } right { points ((1 0) (1 1)); } );",
                           water + "stiff { type hypoelastic; rho 1; E 1e9; nu 0; }",
                           "base { type clamped; } left { type slip; } right { type slip; }");
+    c.controls.integration.integration = GetParam();
     c.tolerance(1e-10);
     c.start(1e-3);
     for (int n = 0; n < 20; ++n) c.step(1e-3);
@@ -68,6 +76,9 @@ TEST(HydrostaticOnSolid, columnStaysAtRest) {
     EXPECT_LT(pressureError(c, 0.5), 1e-6);
     EXPECT_LT(largest(c.state.nodes.v), 1e-8);
 }
+
+INSTANTIATE_TEST_SUITE_P(, HydrostaticOnSolid, testing::Values("nodal", "elemental"),
+                         [](const auto& test) { return std::string(test.param); });
 
 // From rest, and with a velocity so that tau = 1/(... + rho |v|/h) differs from cell to cell.
 class FreeFall : public testing::TestWithParam<std::tuple<double, const char*>> {};

@@ -42,8 +42,9 @@ struct Result {
     int iterations, rejected;
 };
 
-Result run(double h, double dt, double endTime, double correctionTime) {
+Result run(double h, double dt, double endTime, double correctionTime, const char* integration = "nodal") {
     TestCase c = tank(h, 0.01);
+    c.controls.integration.integration = integration;
     c.controls.continuity.volumeCorrectionTime = correctionTime;
     c.start(dt);
     const double volume = totalVolume<2>(c.state);
@@ -90,6 +91,15 @@ TEST(Sloshing, periodAndVolume) {
     EXPECT_GT(fine.late, 0.0095);
     EXPECT_LT(fine.late, 0.0105);
     EXPECT_LT(std::abs(fine.period - 1.1818), std::abs(coarse.period - 1.1818));
+}
+
+TEST(Sloshing, elementalFluid) {
+    const auto r = run(0.04, 0.01, 2.5, 0, "elemental");
+    EXPECT_NEAR(r.period, 1.1818, 0.01 * 1.1818);
+    EXPECT_LT(r.drift, 2e-3);
+    EXPECT_EQ(r.rejected, 0);
+    EXPECT_GT(r.late, 0.0095);
+    EXPECT_LT(r.late, 0.0105);
 }
 
 TEST(Sloshing, volumeCorrectionHoldsTheVolume) {

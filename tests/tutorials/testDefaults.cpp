@@ -24,6 +24,7 @@ void collect(const std::string& name, Part part, Values& values) {
 
 Values valuesOf(const Controls& controls) {
     Values values;
+    collect("", controls.integration, values);
     collect("timeIntegration", controls.timeIntegration, values);
     collect("convergence", controls.convergence, values);
     collect("momentum", controls.momentum, values);
@@ -41,10 +42,12 @@ TEST(Tutorials, pfemSolutionHoldsTheDefaults) {
 }
 
 TEST(Tutorials, pfemSolutionHasNoUnknownEntry) {
-    const Case theCase(std::string(PFEM_SOURCE_DIR) + "/tutorials/damBreakElasticWall");
-    testing::internal::CaptureStderr();
-    readControls(theCase);
-    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    for (const char* name : {"damBreakElasticWall", "cantilever"}) {
+        const Case theCase(std::string(PFEM_SOURCE_DIR) + "/tutorials/" + name);
+        testing::internal::CaptureStderr();
+        readControls(theCase);
+        EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << name;
+    }
 }
 
 TEST(Tutorials, meshDictHasNoUnknownEntry) {
