@@ -45,7 +45,7 @@ int run(const Options& options) {
     TimeControl clock(theCase);
     std::cout << "Create mesh for time = " << clock.startName() << "\n\n" << std::flush;
     State<2> state = readState<2>(clock.startFolder());
-    const Problem<2> problem = readProblem<2>(theCase, state.mesh);
+    const Problem<2> problem = readProblem(theCase, state);
     const Controls controls = readControls(theCase);
     FunctionObjects<2> functions(theCase, clock.dictionary(), clock.startName(), clock.controls().writePrecision);
     warnUnused(clock.dictionary(), std::cerr);
@@ -56,12 +56,14 @@ int run(const Options& options) {
     functions.start(state);
 
     std::cout << "Starting time loop\n\n" << std::flush;
+    RunSummary summary;
     const double clockStart = clockNow(), timeStart = state.time.value;
     while (clock.running(state.time)) {
         const auto [courantMax, courantMean] = courantRate(state);
         const double dt = clock.deltaT(state.time, courantMax);
         const AdvanceReport report = advanceOrSave(problem, controls, theCase, clock, state, dt);
         state.time = clock.advance(state.time, report.dt);
+        summary.add(report);
 
         std::cout << courantLines(courantMean, courantMax, report.dt) << "Time = " << clock.name(state.time) << "\n\n"
                   << stepLines(report, state, firstVolume);
@@ -74,7 +76,7 @@ int run(const Options& options) {
         const double done = (state.time.value - timeStart) / (clock.controls().endTime - timeStart);
         std::cout << timeLines(cpuNow(), clockNow() - clockStart, done) << std::flush;
     }
-    std::cout << "End\n\n";
+    std::cout << summary.text(clockNow() - clockStart) << "End\n\n";
     return 0;
 }
 

@@ -34,6 +34,14 @@ double meshSizeOption(const Options& options) {
     return *h;
 }
 
+/// A run would go on from a later time, which knows nothing of the new mesh.
+void warnOfLaterTimes(const Case& theCase) {
+    const auto times = listTimes(theCase.root()).complete;
+    if (times.back().value > 0)
+        std::cerr << "--> PFEM Warning: the case has results of an older mesh, up to time " << times.back().name
+                  << ": remove these folders (./Allclean), or the solver goes on from the latest\n";
+}
+
 double memoryPeak() {  // [MB]
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -54,6 +62,7 @@ int run(const Options& options) {
 
     writeState(theCase.time("0"), mesh.state);
     writeSeries(theCase.root());
+    warnOfLaterTimes(theCase);
 
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     std::cout << fmt::format("\nWritten 0/\nExecutionTime = {:.2f} s  Memory = {:.0f} MB\n\nEnd\n",

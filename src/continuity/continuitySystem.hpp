@@ -11,10 +11,11 @@ namespace pfem {
 
 /// One sparse L D L^T per step of the quasi-definite matrix, in (dp, dv_boundary),
 ///
-///     [ K_p   B    ]    K_p = Omega/(kappa dt) + (tau + 1/(rho m)) L + tau M_G
+///     [ K_p   B    ]    K_p = Omega/(kappa dt) + (tau + s/(rho m)) L + w tau M_G
 ///     [ B^T  -A/c  ]    B_IJ = Omega_I G_IJ between pressures and boundary velocities
 ///
-/// with m = da/dv of the time integration. Inside the fluid 1/(rho m) L bounds the exact Schur complement
+/// with m = da/dv of the time integration, s = schurScale, w = freeSurfaceWeight, and c = complianceScale at solids,
+/// freeSurfaceScale at the surface. Inside the fluid 1/(rho m) L bounds the exact Schur complement
 /// B (m M)^{-1} B^T of the nodal integration from above, whatever the mesh; on its moving boundary it does not.
 /// There the velocities are unknowns of the matrix: A is the momentum matrix of the solids at elastic interfaces
 /// and the lumped mass at the free surface. Eliminating them adds c B A^{-1} B^T: what the boundary yields under

@@ -16,11 +16,11 @@ struct ContinuityControls {
     std::string freeSurfacePressure = "weak";
     std::string stabilisation = "inertia";
     bool interfaceAcceleration = true;
-    double volumeCorrectionTime = 0.02;
+    double volumeCorrectionTime = 0.05;
 
     template <class Visitor>
     void entries(Visitor& v) {
-        v("schurScale", schurScale, "-", "factor of the Schur term dt/(2 rho) L in the pressure matrix", nonNegative);
+        v("schurScale", schurScale, "-", "factor of the Schur term gamma dt/rho L in the pressure matrix", nonNegative);
         v("complianceScale", complianceScale, "-",
           "factor of the elastic interface's compliance B A_s^-1 B^T in the pressure matrix", nonNegative);
         v("freeSurfaceScale", freeSurfaceScale, "-",

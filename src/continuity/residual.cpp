@@ -4,7 +4,8 @@ namespace pfem {
 
 namespace {
 
-/// Per cell: the volume rate that each of its nodes receives, and the stabilisation's flux tau |e| (grad p - rho g).
+/// Per cell: the volume rate that each of its nodes receives, and the stabilisation's flux
+/// |e| (tau (grad p - rho g) + (tau - tau_0) rho a).
 template <int Dim>
 struct CellTerms {
     std::vector<double> rate;

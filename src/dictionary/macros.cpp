@@ -11,17 +11,22 @@ namespace {
 constexpr std::size_t maxExpansion = 100'000;
 
 /// "a.b.c" in this dictionary only. Keys may contain dots themselves (alpha.water): the whole name first,
-/// then every way to cut it.
+/// then every way to cut it. What is found, and the dictionaries on the way, count as used.
 const DictionaryEntry* findScoped(DictionaryNode& node, const std::string& name, bool patterns,
                                   int depth = 0) {
-    if (const auto* entry = node.find(name, patterns)) return entry;
+    if (auto* entry = node.find(name, patterns)) {
+        entry->inMacro = true;
+        return entry;
+    }
     if (depth > 20) return nullptr;
     for (auto dot = name.find('.'); dot != std::string::npos; dot = name.find('.', dot + 1)) {
         if (dot == 0) continue;
-        const auto* outer = node.find(name.substr(0, dot), patterns);
+        auto* outer = node.find(name.substr(0, dot), patterns);
         if (!outer || !outer->dict) continue;
-        if (const auto* inner = findScoped(*outer->dict->node(), name.substr(dot + 1), patterns, depth + 1))
-            return inner;
+        const auto* inner = findScoped(*outer->dict->node(), name.substr(dot + 1), patterns, depth + 1);
+        if (inner == nullptr) continue;
+        outer->inMacro = true;
+        return inner;
     }
     return nullptr;
 }

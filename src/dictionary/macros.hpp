@@ -13,7 +13,7 @@
 
 namespace pfem {
 
-/// The entry a macro names, or null. `name` without "$" and braces.
+/// The entry a macro names, or null; it counts as used from now on. `name` without "$" and braces.
 /// Quoted keys count as patterns for `$dict;` only: in `".*" { value $internalField; }` the value is not the
 /// pattern.
 const DictionaryEntry* findMacro(const DictionaryNode& scope, const std::string& name, bool patterns = false);

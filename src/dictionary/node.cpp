@@ -61,7 +61,7 @@ NodePtr copyNode(const DictionaryNode& from, const NodePtr& parent, const std::s
     for (const auto& entry : from.entries) {
         spend(budget, 1 + entry.tokens.size(), depth, where);
         DictionaryEntry mine = entry;
-        mine.used = false;
+        mine.used = mine.inMacro = false;
         if (entry.dict) {
             mine.dict = std::make_shared<Dictionary>(
                 copyNode(*entry.dict->node(), copy, entry.key, where, budget, depth + 1));

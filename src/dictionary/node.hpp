@@ -22,6 +22,7 @@ struct DictionaryEntry {
     std::shared_ptr<Dictionary> dict;  ///< null: a primitive entry
     Location where;
     bool used = false;
+    bool inMacro = false;    ///< a macro took its value: not reported as unused
     bool readWhole = false;  ///< read as raw tokens: what is in it is not reported as unused
 };
 

@@ -23,7 +23,7 @@ void collect(const DictionaryNode& node, std::vector<Unused>& result) {
     for (const auto& entry : node.entries) {
         if (entry.key == headerKey) continue;
         if (!entry.used) {
-            result.push_back({entry.key, entry.where, suggestion(node, entry.key)});
+            if (!entry.inMacro) result.push_back({entry.key, entry.where, suggestion(node, entry.key)});
         } else if (entry.dict) {
             collect(*entry.dict->node(), result);
         } else if (!entry.readWhole) {

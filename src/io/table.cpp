@@ -12,6 +12,9 @@ namespace pfem {
 Table::Table(const std::filesystem::path& file, int precision) : file_(file), precision_(precision) {
     std::error_code error;
     if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), error);
+    if (error)
+        throw UserError("cannot make the folder \"" + file.parent_path().string() + "\": " + error.message(),
+                        {file.string(), 0});
     errno = 0;
     stream_.open(file, std::ios::trunc);
     if (!stream_)

@@ -94,6 +94,12 @@ std::string meshReport(const MeshDescription& description, const MeshResult& res
         if (patch.faces.empty())
             warnings += fmt::format("--> PFEM Warning: patch '{}' has no face\n", patch.name);
     }
+    for (const auto& wall : description.walls)
+        if (!wall.arcs.empty())
+            warnings += fmt::format(
+                "--> PFEM Warning: wall '{}' has arcs: fluid slides along straight walls only and sticks to the corners "
+                "of a curved one, also with slip\n",
+                wall.name);
     const auto stuck = wallTriangles(state);
     if (!stuck.empty()) {
         const auto& x = state.nodes.x[state.mesh.fluid.nodes[stuck.front()][0]];

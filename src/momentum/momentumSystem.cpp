@@ -125,8 +125,9 @@ Points<Dim> MomentumSystem<Dim>::apply(const Points<Dim>& u) const {
 template <int Dim>
 Points<Dim> MomentumSystem<Dim>::precondition(const Points<Dim>& r) const {
     Points<Dim> z(r.size(), Vec<Dim>::Zero());
+    // projected again: the round-off of a large wall reaction must not become a direction
     for (std::size_t i = 0; i < r.size(); ++i)
-        if (diagonal_[i] > 0) z[i] = r[i] / diagonal_[i];
+        if (diagonal_[i] > 0) z[i] = constraints_.project(static_cast<int>(i), r[i]) / diagonal_[i];
     if (dofs_.n > 0) scatter(factor_.solve(gather(r)), z);
     return z;
 }

@@ -46,7 +46,7 @@ private:
     std::vector<unsigned char> moving_;   // fluid nodes with unknowns, solids left out
     std::vector<double> diagonal_;        // massFactor * m of moving fluid nodes, 0 elsewhere
     double massFactor_;
-    std::vector<double> bulk_;            // theta rho Omega^{2/Dim}/dt per stress point, empty without
+    std::vector<double> bulk_;            // theta times bulkRule's value per stress point [Pa s], empty without
     bool viscous_ = false;
     int iterations_ = 0;
 };

@@ -94,6 +94,7 @@ public:
 private:
     void judge(int e) {
         const auto& s = t_.cells[e];
+        if (isFlatOnWall(s)) return;
         const Vec<2> centre = simplexCentroid<2>(nodes_.x, s);
         inside_[e] = fluid_.contains(centre);
         if (inside_[e]) {
@@ -103,6 +104,14 @@ private:
         const bool allHeld = nodes_.held[s[0]] && nodes_.held[s[1]] && nodes_.held[s[2]];
         if (allHeld || isBehindWall(s, centre) || solid_.contains(centre)) return;
         accepted_[e] = isContact(controls_, nodes_, s);
+    }
+
+    /// Three nodes of one wall face are on one line up to round-off: what is between them is no fluid.
+    bool isFlatOnWall(const Simplex<2>& s) const {
+        const auto slides = [&](int node) { return nodes_.inward[node].squaredNorm() > 0; };
+        const double h = meanSize(nodes_, s);
+        return isBound(s[0]) && isBound(s[1]) && isBound(s[2]) && std::any_of(s.begin(), s.end(), slides) &&
+               simplexMeasure<2>(nodes_.x, s) < 1e-9 * h * h;
     }
 
     /// On the wrong side of the wall that one of its nodes slides along.

@@ -20,6 +20,7 @@ struct RemeshingControls {
     double wallDistance = 0.05;
     double landingDistance = 0.1;
     double wallTension = 1;
+    double cornerDistance = 0.2;
     bool keepSurface = true;
     double distortion = 0;
 
@@ -44,6 +45,8 @@ struct RemeshingControls {
           positive);
         v("landingDistance", landingDistance, "-",
           "distance / h at which a fluid node that approaches a rigid wall lands on it and slides along", nonNegative);
+        v("cornerDistance", cornerDistance, "-",
+          "distance / h at which a node that slides into a corner of the walls is removed", nonNegative);
         v("wallTension", wallTension, "-",
           "suction / (rho (g h + v^2/2)) at which the contact line lets go of a rigid wall", nonNegative);
         v("keepSurface", keepSurface, "-",

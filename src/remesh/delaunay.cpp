@@ -34,9 +34,9 @@ std::vector<Cdt::Vertex_handle> insertPoints(Cdt& cdt, const Points<2>& points, 
         const auto before = cdt.number_of_vertices();
         const auto vertex = cdt.insert(point, hint);
         hint = vertex->face();
-        if (cdt.number_of_vertices() == before) continue;  // coincides with an earlier point
-        vertex->info() = index;
         handle[index] = vertex;
+        if (cdt.number_of_vertices() == before) continue;  // coincides with an earlier point, which stands for both
+        vertex->info() = index;
     }
     return handle;
 }
@@ -67,7 +67,7 @@ bool isBlocked(const Cdt& cdt, Cdt::Vertex_handle a, Cdt::Vertex_handle b) {
 using Handles = std::vector<Cdt::Vertex_handle>;
 
 bool haveEdge(const Handles& handle, const Face<2>& face) {
-    return handle[face[0]] != nullptr && handle[face[1]] != nullptr && face[0] != face[1];
+    return handle[face[0]] != nullptr && handle[face[1]] != nullptr && handle[face[0]] != handle[face[1]];
 }
 
 void insertFixed(Cdt& cdt, const Handles& handle, const std::vector<Face<2>>& faces) {

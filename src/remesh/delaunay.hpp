@@ -13,7 +13,7 @@ struct Triangulation {
     std::vector<std::array<int, Dim + 1>> neighbours;  // opposite to local node k; -1 outside the hull
 };
 
-/// `active`: the points that take part; one that coincides with an earlier one is left out.
+/// `active`: the points that take part; of points that coincide one stands for all, in cells and in faces.
 /// `fixed`: faces that must appear (walls, solids). `wished`: faces that appear unless they would cross a fixed or
 /// an earlier one (free surface).
 /// Throws StepFailure when fixed faces cross each other.

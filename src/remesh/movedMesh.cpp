@@ -16,6 +16,7 @@ MovedMesh<Dim> movedMesh(const State<Dim>& state, Topology<Dim> topology) {
     MovedMesh<Dim> moved;
     moved.x = state.nodes.x;
     moved.wall = state.nodes.wall;
+    moved.dropVolume = state.nodes.dropVolume;
     moved.fluid = state.mesh.fluid.nodes;
     moved.solid = state.mesh.solid.nodes;
     moved.topology = std::move(topology);

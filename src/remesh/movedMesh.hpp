@@ -11,7 +11,8 @@ namespace pfem {
 template <int Dim>
 struct MovedMesh {
     Points<Dim> x;
-    std::vector<int> wall;  // as Nodes::wall
+    std::vector<int> wall;           // as Nodes::wall
+    std::vector<double> dropVolume;  // as Nodes::dropVolume
     std::vector<Simplex<Dim>> fluid;
     std::vector<Simplex<Dim>> solid;
     Topology<Dim> topology;
@@ -23,7 +24,7 @@ struct MovedMesh {
 template <int Dim>
 MovedMesh<Dim> movedMesh(const State<Dim>& state, Topology<Dim> topology);
 
-/// Volume of the fluid cells, and volume carried by isolated particles.
+/// Volume of the cells; inverted ones count as negative.
 template <int Dim>
 double cellVolume(const Points<Dim>& x, const std::vector<Simplex<Dim>>& cells);
 

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "mesh/simplex.hpp"
+#include "remesh/wallContact.hpp"
 
 namespace pfem {
 
@@ -24,6 +25,7 @@ public:
     }
 
     NodePlan<Dim> plan() {
+        removeAtCorners();
         removeClose();
         insertInLongEdges();
         keepSurface();
@@ -31,6 +33,23 @@ public:
     }
 
 private:
+    /// A node that slides into a corner of the walls, the corner is its own node: nothing could stop it there.
+    void removeAtCorners() {
+        if constexpr (Dim == 2) {
+            for (int i = 0; i < static_cast<int>(moved_.x.size()); ++i) {
+                const int w = moved_.wall[i];
+                if (w < 0 || kept_[i] || locked_[i]) continue;
+                for (const bool atEnd : {false, true}) {
+                    const int corner = moved_.topology.walls[w].nodes[atEnd ? 1 : 0];
+                    if ((moved_.x[i] - moved_.x[corner]).norm() > controls_.cornerDistance * h_[i]) continue;
+                    if (!isConcaveEnd(moved_.topology, moved_.x, w, atEnd)) continue;
+                    plan_.removed[i] = 1;
+                    lockPatch(i);
+                }
+            }
+        }
+    }
+
     void removeClose() {
         for (int i = 0; i < static_cast<int>(moved_.x.size()); ++i) {
             if (kept_[i] || locked_[i] || !moved_.topology.wet(i)) continue;

@@ -174,7 +174,10 @@ void updateDrops(const MovedMesh<2>& moved, const std::vector<int>& newIndex, St
     double change = 0;
     for (std::size_t i = 0; i < moved.x.size(); ++i) {
         const int node = newIndex[i];
-        if (node < 0) continue;  // removed nodes were wet: they carried nothing
+        if (node < 0) {
+            change -= moved.dropVolume[i];
+            continue;
+        }
         double& carried = state.nodes.dropVolume[node];
         const double before = carried;
         if (wet[node] || moved.topology.held(static_cast<int>(i)))

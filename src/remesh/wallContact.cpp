@@ -23,7 +23,15 @@ struct Line {
     double distance(const Vec<2>& p) const { return inward.dot(p - start); }
 };
 
-/// Does the wall go on at the end of face w with the fluid's angle below 180 degrees?
+void land(const Line& line, int w, int i, Nodes<2>& nodes) {
+    nodes.x[i] = line.start + std::clamp(line.along(nodes.x[i]), 0.0, line.length) * line.tangent;
+    nodes.v[i] = line.tangent * line.tangent.dot(nodes.v[i]);
+    nodes.a[i] = line.tangent * line.tangent.dot(nodes.a[i]);
+    nodes.wall[i] = w;
+}
+
+}  // namespace
+
 bool isConcaveEnd(const Topology<2>& topology, const Points<2>& x, int w, bool atEnd) {
     const Line line(x, topology.walls[w].nodes);
     const int corner = topology.walls[w].nodes[atEnd ? 1 : 0];
@@ -36,15 +44,6 @@ bool isConcaveEnd(const Topology<2>& topology, const Points<2>& x, int w, bool a
     }
     return false;
 }
-
-void land(const Line& line, int w, int i, Nodes<2>& nodes) {
-    nodes.x[i] = line.start + std::clamp(line.along(nodes.x[i]), 0.0, line.length) * line.tangent;
-    nodes.v[i] = line.tangent * line.tangent.dot(nodes.v[i]);
-    nodes.a[i] = line.tangent * line.tangent.dot(nodes.a[i]);
-    nodes.wall[i] = w;
-}
-
-}  // namespace
 
 template <>
 void landOnWalls<2>(const RemeshingControls& controls, const Topology<2>& topology, const Points<2>& xOld,

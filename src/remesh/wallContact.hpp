@@ -20,4 +20,7 @@ template <int Dim>
 void releaseFromWalls(const RemeshingControls& controls, const Topology<Dim>& topology, const Vec<Dim>& gravity,
                       double rho, Nodes<Dim>& nodes);
 
+/// Does the wall go on at an end of face `w` (its second node: `atEnd`) with the fluid's angle below 180 degrees?
+bool isConcaveEnd(const Topology<2>& topology, const Points<2>& x, int w, bool atEnd);
+
 }  // namespace pfem

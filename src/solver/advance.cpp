@@ -13,14 +13,14 @@ double now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Divergence that brings the volume back to its first value within `time`.
+/// Divergence that brings the volume back to its first value within `time`, but no faster than within the step.
 template <int Dim>
-double volumeCorrection(const State<Dim>& state, double time) {
+double volumeCorrection(const State<Dim>& state, double time, double dt) {
     if (time == 0) return 0;
     const double volume = totalVolume<Dim>(state);
     double change = 0;
     for (const auto& [cause, amount] : state.ledger) change += amount;
-    return volume > 0 ? -change / (volume * time) : 0;
+    return volume > 0 ? -change / (volume * std::max(time, dt)) : 0;
 }
 
 /// Velocities and accelerations that the constraints allow.
@@ -68,13 +68,8 @@ double totalVolume(const State<Dim>& state) {
 
 template <int Dim>
 std::pair<double, double> courantRate(const State<Dim>& state) {
-    std::vector<unsigned char> joined(state.nodes.size(), 0);
-    for (const auto* cells : {&state.mesh.fluid, &state.mesh.solid})
-        for (const auto& s : cells->nodes)
-            for (int node : s) joined[node] = 1;
     double largest = 0, sum = 0;
     for (int i = 0; i < state.nodes.size(); ++i) {
-        if (!joined[i]) continue;
         const double rate = state.nodes.v[i].norm() / state.nodes.h[i];
         largest = std::max(largest, rate);
         sum += rate;
@@ -93,7 +88,7 @@ AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Sta
     obeyConstraints<Dim>(constraints, state.nodes);
 
     const double volume = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes);
-    const double divTarget = volumeCorrection<Dim>(state, controls.continuity.volumeCorrectionTime);
+    const double divTarget = volumeCorrection<Dim>(state, controls.continuity.volumeCorrectionTime, dt);
     auto result = stepWithRetries<Dim>(problem, controls, state, topology, constraints, dt, divTarget, report);
     report.step = result.report;
     const std::vector<int> wallsOld = state.nodes.wall;
@@ -129,8 +124,14 @@ void startConsistently(const Problem<Dim>& problem, const Controls& controls, St
     const auto topology = makeTopology<Dim>(state.mesh, problem.conditions.kind, state.nodes.wall);
     const auto constraints = nodeConstraints<Dim>(state.mesh, problem.conditions, topology, state.nodes);
     obeyConstraints<Dim>(constraints, state.nodes);
-    state.nodes =
-        consistentStart<Dim>(problem, controls, state.mesh, topology, constraints, state.nodes, dt);
+    try {
+        state.nodes =
+            consistentStart<Dim>(problem, controls, state.mesh, topology, constraints, state.nodes, dt);
+    } catch (const StepFailure& failure) {
+        throw StepFailure("The pressure at the start cannot be computed; are the physical constants, their units and "
+                          "the factors in system/pfemSolution sound?\n" +
+                          std::string(failure.what()));
+    }
 }
 
 #define PFEM_INSTANTIATE(D)                                                                                  \

@@ -11,7 +11,7 @@ struct AdvanceReport {
     RemeshReport mesh;
     double dt = 0;      // the step that was accepted [s]
     int rejected = 0;   // tries that were not
-    int returned = 0;   // nodes put back from behind walls or out of solids
+    int returned = 0;   // nodes put back out of solids
     std::vector<std::string> reasons;  // of the rejections
     double seconds[2] = {0, 0};        // wall time of the step and of the remeshing
 };
@@ -26,12 +26,12 @@ AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Sta
 template <int Dim>
 double totalVolume(const State<Dim>& state);
 
-/// Largest |v|/h over the nodes of fluid and solid cells [1/s]: times dt the Courant number. Also its mean. Particles in
-/// free flight do not count: their path is exact.
+/// Largest |v|/h over all nodes [1/s]: times dt the Courant number. Also its mean. Particles in free flight count: they
+/// are the first to hit something.
 template <int Dim>
 std::pair<double, double> courantRate(const State<Dim>& state);
 
-/// p and a at the very start of a run that agree with the forces.
+/// p and a at the very start of a run that agree with the forces, and v that is free of divergence. Throws StepFailure where they cannot be found.
 template <int Dim>
 void startConsistently(const Problem<Dim>& problem, const Controls& controls, State<Dim>& state, double dt);
 

@@ -177,10 +177,18 @@ Nodes<Dim> consistentStart(Problem<Dim> problem, Controls controls, const Mesh<D
     controls.timeIntegration.gamma = 1;
     controls.convergence.tolU = controls.convergence.tolP = 1e-11;
     controls.convergence.maxIterations = 300;
-    const auto step = fsiStep<Dim>(problem, controls, mesh, topology, constraints, nodes, 1e-3 * dt, 0);
+    const double moment = 1e-3 * dt;
+    const auto step = [&](const Nodes<Dim>& from) {
+        return fsiStep<Dim>(problem, controls, mesh, topology, constraints, from, moment, 0).nodes;
+    };
     Nodes<Dim> start = nodes;
-    start.p = step.nodes.p;
-    start.a = step.nodes.a;
+    const bool moves = rms<Dim>(nodes.v) > 0;
+    if (moves) start.v = step(nodes).v;
+    const Nodes<Dim> next = step(start);
+    start.p = next.p;
+    start.a = next.a;
+    if (moves)  // the impulse stays, without what the forces have added in that moment
+        for (int i = 0; i < start.size(); ++i) start.v[i] -= moment * next.a[i];
     return start;
 }
 

@@ -29,8 +29,9 @@ StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, c
                         const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,
                         const Nodes<Dim>& old, double dt, double divTarget);
 
-/// Pressure and acceleration at t = 0 that agree with the forces (section 8 of the theory): one backward Euler
-/// step of vanishing length of the incompressible fluid, of which only p and a are kept.
+/// Pressure and acceleration at t = 0 that agree with the forces: one backward Euler step of vanishing length of the
+/// incompressible fluid, of which only p and a are kept. Initial velocities that walls and incompressibility do not
+/// allow are made so by an impulse before.
 template <int Dim>
 Nodes<Dim> consistentStart(Problem<Dim> problem, Controls controls, const Mesh<Dim>& mesh,
                            const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace pfem {
 
 std::string courantLines(double mean, double max, double dt) {
@@ -24,8 +26,9 @@ std::string stepLines(const AdvanceReport& report, const State<Dim>& state, doub
     for (const auto& [cause, amount] : state.ledger)
         if (cause != "correction") raw += amount;
     const double volume = totalVolume<Dim>(state);
-    text += fmt::format("Fluid volume = {:.6g}, change = {:.3g} %, raw = {:.3g} %\n", volume,
-                        100 * (volume / firstVolume - 1), 100 * raw / firstVolume);
+    if (firstVolume > 0)  // a case may have solids only
+        text += fmt::format("Fluid volume = {:.6g}, change = {:.3g} %, raw = {:.3g} %\n", volume,
+                            100 * (volume / firstVolume - 1), 100 * raw / firstVolume);
     return text;
 }
 
@@ -33,6 +36,25 @@ std::string timeLines(double cpu, double clock, double fraction) {
     const double left = fraction > 0 ? clock * (1 - fraction) / fraction : 0;
     return fmt::format("ExecutionTime = {:.2f} s  ClockTime = {:.0f} s\nProgress = {:.1f} %, estimated time left = {:.0f} s\n\n",
                        cpu, clock, 100 * fraction, left);
+}
+
+void RunSummary::add(const AdvanceReport& report) {
+    iterations_.push_back(report.step.iterations);
+    rejected_ += report.rejected;
+    step_ += report.seconds[0];
+    remeshing_ += report.seconds[1];
+}
+
+std::string RunSummary::text(double clock) const {
+    if (iterations_.empty()) return "";
+    auto sorted = iterations_;
+    std::sort(sorted.begin(), sorted.end());
+    const double steps = static_cast<double>(sorted.size());
+    const auto share = [&](double seconds) { return 100 * seconds / std::max(clock, 1e-9); };
+    return fmt::format("Summary: {} steps, {} rejected ({:.2f} %), iterations median {}, largest {}\n"
+                       "         {:.1f} ms per step: equations {:.0f} %, remeshing {:.0f} %, output and the rest {:.0f} %\n\n",
+                       sorted.size(), rejected_, 100 * rejected_ / steps, sorted[sorted.size() / 2], sorted.back(),
+                       1000 * clock / steps, share(step_), share(remeshing_), share(clock - step_ - remeshing_));
 }
 
 template std::string stepLines<2>(const AdvanceReport&, const State<2>&, double);

@@ -2,6 +2,7 @@
 // The lines of the solver's log, in OpenFOAM's sentences so that foamLog and the like read them.
 
 #include <string>
+#include <vector>
 
 #include "solver/advance.hpp"
 
@@ -10,9 +11,22 @@ namespace pfem {
 /// "Courant Number mean: ... max: ..." and "deltaT = ...".
 std::string courantLines(double mean, double max, double dt);
 
-/// The solves, remeshing, mass and progress of one step.
+/// The solves, remeshing and, where there is fluid, the volume of one step.
 template <int Dim>
 std::string stepLines(const AdvanceReport& report, const State<Dim>& state, double firstVolume);
+
+/// What the whole run did: steps, rejected tries, iterations, wall time by phase.
+class RunSummary {
+public:
+    void add(const AdvanceReport& report);
+    /// `clock`: wall time of the run [s]; what is neither step nor remeshing is output.
+    std::string text(double clock) const;
+
+private:
+    std::vector<int> iterations_;
+    int rejected_ = 0;
+    double step_ = 0, remeshing_ = 0;  // [s]
+};
 
 /// "ExecutionTime = 1.2 s  ClockTime = 1 s" and "Progress = 12 %  estimated time left = 34 s".
 std::string timeLines(double cpu, double clock, double fraction);

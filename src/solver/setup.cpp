@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "dictionary/dimensions.hpp"
+#include "solver/checkProblem.hpp"
 
 namespace pfem {
 
@@ -28,7 +29,8 @@ void readPart(const Dictionary& dict, const std::string& name, Options& options)
 }  // namespace
 
 template <int Dim>
-Problem<Dim> readProblem(const Case& theCase, const Mesh<Dim>& mesh) {
+Problem<Dim> readProblem(const Case& theCase, const State<Dim>& state) {
+    const Mesh<Dim>& mesh = state.mesh;
     Problem<Dim> problem;
     const Dictionary materials = Dictionary::read(theCase.constant("materials"));
     const auto all = readMaterials(materials);
@@ -48,11 +50,13 @@ Problem<Dim> readProblem(const Case& theCase, const Mesh<Dim>& mesh) {
     };
     check(mesh.fluid, MaterialKind::fluid, "fluid");
     check(mesh.solid, MaterialKind::solid, "solid");
+    checkOneFluid<Dim>(materials, mesh);
 
     const Dictionary g = Dictionary::read(theCase.constant("g"));
     problem.gravity = readGravity<Dim>(g);
     const Dictionary conditions = Dictionary::read(theCase.constant("boundaryConditions"));
     problem.conditions = readBoundaryConditions<Dim>(conditions, mesh.patches);
+    checkConditions<Dim>(conditions, problem.conditions, state);
     for (const auto* dict : {&materials, &g, &conditions}) warnUnused(*dict, std::cerr);
     return problem;
 }
@@ -64,6 +68,8 @@ Controls readControls(const Case& theCase) {
     readEntries(dict, controls.integration);
     readPart(dict, "timeIntegration", controls.timeIntegration);
     readPart(dict, "convergence", controls.convergence);
+    if (controls.convergence.minIterations > controls.convergence.maxIterations)
+        dict.fatal("convergence", "minIterations is larger than maxIterations: no step could be accepted");
     readPart(dict, "momentum", controls.momentum);
     readPart(dict, "continuity", controls.continuity);
     readPart(dict, "solid", controls.solid);
@@ -74,6 +80,6 @@ Controls readControls(const Case& theCase) {
     return controls;
 }
 
-template Problem<2> readProblem<2>(const Case&, const Mesh<2>&);
+template Problem<2> readProblem<2>(const Case&, const State<2>&);
 
 }  // namespace pfem

@@ -7,10 +7,10 @@
 
 namespace pfem {
 
-/// constant/materials, constant/g and constant/boundaryConditions for this mesh. Unused entries are warned of.
-/// Throws UserError.
+/// constant/materials, constant/g and constant/boundaryConditions for this state. Unused entries are warned of.
+/// Throws UserError, also for conditions that do not fit the mesh.
 template <int Dim>
-Problem<Dim> readProblem(const Case& theCase, const Mesh<Dim>& mesh);
+Problem<Dim> readProblem(const Case& theCase, const State<Dim>& state);
 
 /// system/pfemSolution; without the file all defaults.
 Controls readControls(const Case& theCase);

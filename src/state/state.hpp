@@ -10,8 +10,8 @@
 
 namespace pfem {
 
-/// Nodal values, all arrays of one length, sorted by ascending id. Fluid, solid and wall nodes share the
-/// one list; an interface node is ONE node with one velocity.
+/// Nodal values, all arrays of one length, sorted by ascending id. Nodes of fluid and solid and corners of walls share
+/// the one list; an interface node is ONE node with one velocity.
 template <int Dim>
 struct Nodes {
     std::vector<Id> id;

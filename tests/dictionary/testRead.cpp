@@ -130,6 +130,26 @@ TEST(Read, choice) {
     }
 }
 
+TEST(Read, whatMacrosTakeIsUsed) {
+    const auto d = Dictionary::parse(R"(
+        L 2;
+        H 3;
+        size { depth 0.5; rest 1; }
+        common { tolerance 1; }
+        spare { tolerance 1; }
+        length $L;
+        height #eval "2*$H";
+        depth $size.depth;
+        p { $common; }
+    )",
+                                     "system/meshDict");
+    for (const auto& key : {"length", "height", "depth"}) d.get<double>(key);
+    d.subDict("p").get<double>("tolerance");
+    std::ostringstream out;
+    warnUnused(d, out);
+    EXPECT_EQ(out.str(), "--> PFEM Warning: entry 'spare' in system/meshDict:6 is not used\n");
+}
+
 TEST(Read, unusedEntries) {
     const auto d = Dictionary::parse(R"(
         FoamFile { class dictionary; }

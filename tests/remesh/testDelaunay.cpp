@@ -111,6 +111,22 @@ TEST(Delaunay, fixedFacesAppear) {
     }
 }
 
+TEST(Delaunay, fixedFacesOfCoincidentPointsAppear) {
+    // a node that slid into the corner of a wall: whichever of the two is left out, the wall stays closed
+    auto x = randomPoints(120, 6);
+    x.push_back({-2, 0.01});
+    x.push_back({2, -0.02});
+    x.push_back(x[120]);
+    x.push_back(x[121]);
+    for (const Face<2>& wall : {Face<2>{120, 121}, Face<2>{122, 123}, Face<2>{120, 123}}) {
+        const auto edges = edgesOf(constrainedDelaunay(x, all(x), {wall, {120, 122}}, {}));
+        int found = 0;
+        for (int a : {120, 122})
+            for (int b : {121, 123}) found += static_cast<int>(edges.count({a, b}));
+        EXPECT_EQ(found, 1);
+    }
+}
+
 TEST(Delaunay, repeatedAndCollinearFacesAreFine) {
     // the side of a solid that is also a symmetry patch: every face twice, in both directions
     Points<2> x;

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <sstream>
 
 #include "case/case.hpp"
+#include "mesher/readMeshDict.hpp"
 #include "solver/setup.hpp"
 
 using namespace pfem;
@@ -46,6 +48,15 @@ TEST(Tutorials, pfemSolutionHasNoUnknownEntry) {
         readControls(theCase);
         EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << name;
     }
+}
+
+TEST(Tutorials, meshDictHasNoUnknownEntry) {
+    const Case theCase(std::string(PFEM_SOURCE_DIR) + "/tutorials/damBreakElasticWall");
+    const Dictionary dict = Dictionary::read(theCase.system("meshDict"));
+    readMeshDict(dict, {"water", "rubber"}, 0);
+    std::ostringstream out;
+    warnUnused(dict, out);
+    EXPECT_EQ(out.str(), "");
 }
 
 }  // namespace

@@ -1,0 +1,80 @@
+#include "solver/checkProblem.hpp"
+
+#include <algorithm>
+
+namespace pfem {
+
+namespace {
+
+/// Is the face an edge of one of the cells?
+template <int Dim>
+bool isFaceOf(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around, const Face<Dim>& face) {
+    for (int s = around.start[face[0]]; s < around.start[face[0] + 1]; ++s) {
+        const auto& cell = cells[around.cell[s]];
+        if (std::all_of(face.begin(), face.end(),
+                        [&](int node) { return std::find(cell.begin(), cell.end(), node) != cell.end(); }))
+            return true;
+    }
+    return false;
+}
+
+/// What the mesh knows of a patch.
+struct PatchRole {
+    bool onSolid = false;   // it has a face of a solid
+    bool offSolid = false;  // it has a face of no solid
+    bool wall = false;      // fluid slides along it, or, before the first step, it has a face of no body
+};
+
+template <int Dim>
+std::vector<PatchRole> patchRoles(const State<Dim>& state) {
+    const auto& mesh = state.mesh;
+    const auto solid = nodeToCells<Dim>(mesh.solid.nodes, state.nodes.size());
+    const auto fluid = nodeToCells<Dim>(mesh.fluid.nodes, state.nodes.size());
+    std::vector<PatchRole> roles(mesh.patches.size());
+    std::vector<std::size_t> patchOfFace;
+    for (std::size_t k = 0; k < roles.size(); ++k)
+        for (const auto& face : mesh.patches[k].faces) {
+            const bool onSolid = isFaceOf<Dim>(mesh.solid.nodes, solid, face);
+            (onSolid ? roles[k].onSolid : roles[k].offSolid) = true;
+            if (state.time.index == 0 && !onSolid && !isFaceOf<Dim>(mesh.fluid.nodes, fluid, face))
+                roles[k].wall = true;
+            patchOfFace.push_back(k);
+        }
+    for (int w : state.nodes.wall)
+        if (w >= 0) roles[patchOfFace[w]].wall = true;
+    return roles;
+}
+
+}  // namespace
+
+template <int Dim>
+void checkOneFluid(const Dictionary& materials, const Mesh<Dim>& mesh) {
+    for (int m : mesh.fluid.material) {
+        if (m == mesh.fluid.material[0]) continue;
+        const auto &first = mesh.materials[mesh.fluid.material[0]], &second = mesh.materials[m];
+        throw UserError("There are fluids of different materials, '" + first + "' and '" + second +
+                            "': a case can have several bodies of fluid, but of one material only",
+                        materials.where(second));
+    }
+}
+
+template <int Dim>
+void checkConditions(const Dictionary& dict, const BoundaryConditions<Dim>& conditions, const State<Dim>& state) {
+    const auto roles = patchRoles<Dim>(state);
+    for (std::size_t k = 0; k < roles.size(); ++k) {
+        const std::string& name = state.mesh.patches[k].name;
+        const Dictionary& entry = dict.subDict(name);
+        const PatchKind kind = conditions.kind[k];
+        if (isWall(kind) && roles[k].onSolid)
+            entry.fatal("type", "'" + name + "' is the edge of a solid: it can be clamped, symmetry or traction");
+        if (!isWall(kind) && roles[k].wall)
+            entry.fatal("type", "'" + name + "' is a rigid wall: it can be slip or noSlip");
+        if ((kind == PatchKind::clamped || kind == PatchKind::traction) && roles[k].offSolid)
+            entry.fatal("type", "'" + name + "' is not the edge of a solid: only solids can be clamped or loaded");
+    }
+}
+
+template void checkOneFluid<2>(const Dictionary&, const Mesh<2>&);
+template void checkConditions<2>(const Dictionary&, const BoundaryConditions<2>&, const State<2>&);
+
+}  // namespace pfem

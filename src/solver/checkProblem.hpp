@@ -1,0 +1,18 @@
+#pragma once
+// What a case must not ask for although each of its words is valid.
+
+#include "dictionary/dictionary.hpp"
+#include "state/problem.hpp"
+
+namespace pfem {
+
+/// Throws UserError at the material of a second fluid: remeshing joins all fluid that touches, as one material.
+template <int Dim>
+void checkOneFluid(const Dictionary& materials, const Mesh<Dim>& mesh);
+
+/// Throws UserError at the entry of a patch whose condition is none for what it is: a rigid wall must be slip or
+/// noSlip, an edge of a solid must not; only edges of solids can be clamped or carry a traction.
+template <int Dim>
+void checkConditions(const Dictionary& dict, const BoundaryConditions<Dim>& conditions, const State<Dim>& state);
+
+}  // namespace pfem

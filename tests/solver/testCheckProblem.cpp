@@ -1,0 +1,69 @@
+// Cases whose words are valid but that cannot be meant: refused before the first step.
+
+#include <gtest/gtest.h>
+
+#include "solver/checkProblem.hpp"
+#include "support/cases.hpp"
+
+using namespace pfem;
+using namespace pfem::test;
+
+namespace {
+
+const std::string geometry = "meshSize 0.1; bodies ("
+                             "pool { type fluid; material water; " + rectangle(0, 0, 1, 0.5) + " }"
+                             "block { type solid; material rubber; " + rectangle(1, 0, 1.4, 0.5) +
+                             " patches { base { edges ((0 1)); } } } );"
+                             "walls ( tank { points ((0 1) (0 0) (1.5 0)); }  lid { points ((1.5 2) (0 2)); } );";
+
+/// The line of the entry that is refused; 0 if none is.
+int refusedLine(const std::string& tank, const std::string& lid, const std::string& base, int step = 0) {
+    const std::string text = "tank { type " + tank + "; traction (1 0 0); }\n" + "lid { type " + lid +
+                             "; traction (1 0 0); }\n" + "base { type " + base + "; traction (1 0 0); }\n";
+    TestCase c = makeCase(geometry, water + rubber, text);
+    c.state.time.index = step;
+    try {
+        checkConditions<2>(Dictionary::parse(text, "boundaryConditions"), c.problem.conditions, c.state);
+    } catch (const UserError& error) {
+        return error.where().line;
+    }
+    return 0;
+}
+
+TEST(CheckProblem, conditionsFitTheirPatches) {
+    EXPECT_EQ(refusedLine("slip", "noSlip", "clamped"), 0);
+    EXPECT_EQ(refusedLine("noSlip", "slip", "symmetry"), 0);
+    EXPECT_EQ(refusedLine("slip", "slip", "traction", 7), 0);
+}
+
+TEST(CheckProblem, aRigidWallIsSlipOrNoSlip) {
+    for (const char* wrong : {"clamped", "symmetry", "traction"}) {
+        EXPECT_EQ(refusedLine(wrong, "slip", "clamped"), 1) << wrong;
+        EXPECT_EQ(refusedLine(wrong, "slip", "clamped", 7), 1) << wrong;  // the water that slides along it tells
+        EXPECT_EQ(refusedLine("slip", wrong, "clamped"), 2) << wrong;
+    }
+}
+
+TEST(CheckProblem, theEdgeOfASolidIsNoWall) {
+    EXPECT_EQ(refusedLine("slip", "slip", "slip"), 3);
+    EXPECT_EQ(refusedLine("slip", "slip", "noSlip", 7), 3);
+}
+
+TEST(CheckProblem, oneFluid) {
+    const std::string oil = "oil { type newtonian; rho 800; mu 0.1; }\n";
+    const auto bodies = [](const std::string& second) {
+        return "meshSize 0.1; bodies ( a { type fluid; material water; " + rectangle(0, 0, 1, 0.5) +
+               " } b { type fluid; material " + second + "; " + rectangle(2, 0, 3, 0.5) + " } );";
+    };
+    const auto materials = Dictionary::parse(water + oil, "materials");
+    EXPECT_NO_THROW(checkOneFluid<2>(materials, makeCase(bodies("water"), water + oil, "").state.mesh));
+    try {
+        checkOneFluid<2>(materials, makeCase(bodies("oil"), water + oil, "").state.mesh);
+        FAIL() << "two fluids are accepted";
+    } catch (const UserError& error) {
+        EXPECT_EQ(error.where().line, 2);
+        EXPECT_NE(std::string(error.what()).find("'water' and 'oil'"), std::string::npos);
+    }
+}
+
+}  // namespace
