@@ -55,6 +55,8 @@ int run(const Options& options) {
     if (state.time.index == 0) startConsistently(problem, controls, state, clock.deltaT(state.time));
     functions.start(state);
 
+    if (!clock.running(state.time))
+        std::cerr << "--> PFEM Warning: nothing to do: endTime is not after the start at " << state.time.value << " s\n";
     std::cout << "Starting time loop\n\n" << std::flush;
     RunSummary summary;
     const double clockStart = clockNow(), timeStart = state.time.value;

@@ -182,13 +182,23 @@ Nodes<Dim> consistentStart(Problem<Dim> problem, Controls controls, const Mesh<D
         return fsiStep<Dim>(problem, controls, mesh, topology, constraints, from, moment, 0).nodes;
     };
     Nodes<Dim> start = nodes;
-    const bool moves = rms<Dim>(nodes.v) > 0;
-    if (moves) start.v = step(nodes).v;
-    const Nodes<Dim> next = step(start);
+    // Impulses until no more changes v: each leaves the part that the stabilisation forgives. Steady forces change it
+    // by the same in each moment; that is taken off again.
+    int impulses = 0;
+    double last = std::numeric_limits<double>::max();
+    Nodes<Dim> next = step(start);
+    while (impulses < 50 && rms<Dim>(nodes.v) > 0) {
+        const double change = moment * rms<Dim>(next.a);
+        if (change < 5e-4 * rms<Dim>(next.v) || change > 0.99 * last) break;
+        last = change;
+        start.v = next.v;
+        ++impulses;
+        next = step(start);
+    }
     start.p = next.p;
     start.a = next.a;
-    if (moves)  // the impulse stays, without what the forces have added in that moment
-        for (int i = 0; i < start.size(); ++i) start.v[i] -= moment * next.a[i];
+    if (impulses > 0)
+        for (int i = 0; i < start.size(); ++i) start.v[i] -= impulses * moment * next.a[i];
     return start;
 }
 

@@ -76,6 +76,11 @@ Controls readControls(const Case& theCase) {
     if (controls.solid.formulation == "velocityPressure" && controls.solid.stressUpdate == "neoHookean")
         dict.subDict("solid").fatal("formulation", "velocityPressure is not for the stressUpdate neoHookean");
     readPart(dict, "remeshing", controls.remeshing);
+    const auto& r = controls.remeshing;
+    if (r.insertDistance < 2 * std::max(r.removeDistance, r.removeDistanceSurface))
+        dict.subDictOrEmpty("remeshing")
+            .fatal("insertDistance", "insertDistance must be at least twice removeDistance and removeDistanceSurface: the "
+                                     "halves of a divided edge would be removed again");
     warnUnused(dict, std::cerr);
     return controls;
 }
