@@ -18,35 +18,16 @@ std::map<std::string, double> readDensities(const std::filesystem::path& caseRoo
     return densities;
 }
 
-namespace {
-
-template <int Dim>
-double dropVolumes(const State<Dim>& state) {
-    double sum = 0;
-    for (const double volume : state.nodes.dropVolume) sum += volume;
-    return sum;
-}
-
-}  // namespace
-
-template <int Dim>
-double fluidVolume(const State<Dim>& state) {
-    double sum = dropVolumes(state);
-    for (const auto& simplex : state.mesh.fluid.nodes)
-        sum += std::abs(simplexMeasure<Dim>(state.nodes.x, simplex));
-    return sum;
-}
-
 template <int Dim>
 double fluidMass(const State<Dim>& state, const std::map<std::string, double>& densities) {
     const auto& cells = state.mesh.fluid;
     std::vector<double> volumes(state.mesh.materials.size(), 0.0);
     for (std::size_t e = 0; e < cells.nodes.size(); ++e)
         volumes.at(static_cast<std::size_t>(cells.material[e])) +=
-            std::abs(simplexMeasure<Dim>(state.nodes.x, cells.nodes[e]));
+            simplexMeasure<Dim>(state.nodes.x, cells.nodes[e]);
     if (!volumes.empty() && !cells.material.empty())
         volumes[static_cast<std::size_t>(*std::min_element(cells.material.begin(), cells.material.end()))] +=
-            dropVolumes(state);
+            dropVolume<Dim>(state);
     double mass = 0;
     for (std::size_t m = 0; m < volumes.size(); ++m) {
         if (volumes[m] == 0) continue;
@@ -63,14 +44,14 @@ template <int Dim>
 MassAccount<Dim>::MassAccount(const State<Dim>& initial, std::map<std::string, double> densities)
     : densities_(std::move(densities)),
       initialLedger_(initial.ledger),
-      initialVolume_(fluidVolume(initial)),
+      initialVolume_(totalVolume<Dim>(initial)),
       initialMass_(fluidMass(initial, densities_)) {}
 
 template <int Dim>
 MassBalance MassAccount<Dim>::balance(const State<Dim>& state) const {
     MassBalance b;
     b.time = state.time.value;
-    b.volume = fluidVolume(state);
+    b.volume = totalVolume<Dim>(state);
     b.mass = fluidMass(state, densities_);
     b.relativeChange = initialMass_ > 0 ? (b.mass - initialMass_) / initialMass_ : 0.0;
     b.causes = state.ledger;
@@ -80,7 +61,6 @@ MassBalance MassAccount<Dim>::balance(const State<Dim>& state) const {
     return b;
 }
 
-template double fluidVolume<2>(const State<2>&);
 template double fluidMass<2>(const State<2>&, const std::map<std::string, double>&);
 template class MassAccount<2>;
 

@@ -6,18 +6,14 @@
 #include <map>
 #include <string>
 
-#include "state/state.hpp"
+#include "state/volume.hpp"
 
 namespace pfem {
 
 /// Density of each material in <case>/constant/materials that has an entry `rho` [kg/m3]. Throws UserError.
 std::map<std::string, double> readDensities(const std::filesystem::path& caseRoot);
 
-/// Fluid cells and isolated particles [m2 (2D), m3].
-template <int Dim>
-double fluidVolume(const State<Dim>& state);
-
-/// The same times density [kg per m depth (2D), kg]. Isolated particles count as the first fluid material.
+/// totalVolume times density [kg per m depth (2D), kg]. Isolated particles count as the first fluid material.
 /// Throws UserError when a material has no density.
 template <int Dim>
 double fluidMass(const State<Dim>& state, const std::map<std::string, double>& densities);

@@ -20,24 +20,6 @@ std::set<Face<Dim>> solidFaces(const Mesh<Dim>& mesh, const NodeToCells& around)
     return faces;
 }
 
-/// Do all nodes of the face lie on one wall face, as corners or sliding?
-template <int Dim>
-bool isOnWall(const Topology<Dim>& t, const std::vector<int>& wall, const Face<Dim>& face) {
-    const auto lies = [&](int node, int w) {
-        const auto& corners = t.walls[w].nodes;
-        return wall[node] == w || std::find(corners.begin(), corners.end(), node) != corners.end();
-    };
-    const auto allLie = [&](int w) {
-        return t.walls[w].patch >= 0 &&
-               std::all_of(face.begin(), face.end(), [&](int node) { return lies(node, w); });
-    };
-    for (int node : face)
-        if (wall[node] >= 0) return allLie(wall[node]);
-    for (int w = 0; w < static_cast<int>(t.walls.size()); ++w)  // corners only: rare
-        if (t.corner[face[0]] && allLie(w)) return true;
-    return false;
-}
-
 }  // namespace
 
 template <int Dim>
@@ -70,7 +52,7 @@ Topology<Dim> makeTopology(const Mesh<Dim>& mesh, const std::vector<PatchKind>& 
         FaceKind kind = FaceKind::freeSurface;
         if (solid.count(key))
             kind = FaceKind::interface;
-        else if (symmetryFaces.count(key) || isOnWall<Dim>(t, wall, face.nodes))
+        else if (symmetryFaces.count(key) || commonWall(t, wall, face.nodes) >= 0)
             kind = FaceKind::wall;
         t.faces.push_back({face, kind});
         if (kind == FaceKind::freeSurface)

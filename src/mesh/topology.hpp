@@ -1,6 +1,7 @@
 #pragma once
 // What follows from the mesh alone, once per triangulation: roles of nodes and kinds of faces.
 
+#include <algorithm>
 #include <vector>
 
 #include "mesh/adjacency.hpp"
@@ -51,6 +52,22 @@ struct Topology {
     bool interface(int node) const { return wet(node) && onSolid[node]; }
     bool held(int node) const { return onSolid[node] || corner[node]; }  // a place that fluid comes to
 };
+
+/// The wall face that all `nodes` lie on, as corners or sliding; -1 when there is none.
+template <int Dim, std::size_t N>
+int commonWall(const Topology<Dim>& topology, const std::vector<int>& wall, const std::array<int, N>& nodes) {
+    const auto allLie = [&](int w) {
+        const auto& corners = topology.walls[w].nodes;
+        return topology.walls[w].patch >= 0 && std::all_of(nodes.begin(), nodes.end(), [&](int node) {
+                   return wall[node] == w || std::find(corners.begin(), corners.end(), node) != corners.end();
+               });
+    };
+    for (int node : nodes)
+        if (wall[node] >= 0) return allLie(wall[node]) ? wall[node] : -1;
+    for (int w = 0; topology.corner[nodes[0]] && w < static_cast<int>(topology.walls.size()); ++w)
+        if (allLie(w)) return w;  // corners only: rare
+    return -1;
+}
 
 /// `kinds`: one per patch of the mesh; `wall`: Nodes::wall.
 /// A fluid face is an interface where a solid face coincides, a wall where all its nodes lie on one wall face or

@@ -5,13 +5,6 @@
 namespace pfem {
 
 template <int Dim>
-double cellVolume(const Points<Dim>& x, const std::vector<Simplex<Dim>>& cells) {
-    double volume = 0;
-    for (const auto& s : cells) volume += simplexMeasure<Dim>(x, s);
-    return volume;
-}
-
-template <int Dim>
 MovedMesh<Dim> movedMesh(const State<Dim>& state, Topology<Dim> topology) {
     MovedMesh<Dim> moved;
     moved.x = state.nodes.x;
@@ -27,7 +20,6 @@ MovedMesh<Dim> movedMesh(const State<Dim>& state, Topology<Dim> topology) {
     return moved;
 }
 
-template double cellVolume<2>(const Points<2>&, const std::vector<Simplex<2>>&);
 template MovedMesh<2> movedMesh<2>(const State<2>&, Topology<2>);
 
 }  // namespace pfem

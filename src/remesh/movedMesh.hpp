@@ -3,7 +3,7 @@
 
 #include "mesh/locator.hpp"
 #include "mesh/topology.hpp"
-#include "state/state.hpp"
+#include "state/volume.hpp"
 
 namespace pfem {
 
@@ -23,9 +23,5 @@ struct MovedMesh {
 /// `topology`: of the state's mesh.
 template <int Dim>
 MovedMesh<Dim> movedMesh(const State<Dim>& state, Topology<Dim> topology);
-
-/// Volume of the cells; inverted ones count as negative.
-template <int Dim>
-double cellVolume(const Points<Dim>& x, const std::vector<Simplex<Dim>>& cells);
 
 }  // namespace pfem

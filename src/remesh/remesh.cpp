@@ -23,21 +23,6 @@ std::vector<unsigned char> keptNodes(const State<Dim>& state, const Topology<Dim
     return kept;
 }
 
-/// The wall face that both nodes lie on, or -1.
-template <int Dim>
-int commonWall(const Topology<Dim>& topology, const std::vector<int>& wall, int i, int j) {
-    const auto lies = [&](int node, int w) {
-        const auto& corners = topology.walls[w].nodes;
-        return wall[node] == w || std::find(corners.begin(), corners.end(), node) != corners.end();
-    };
-    for (int w : {wall[i], wall[j]})
-        if (w >= 0 && lies(i, w) && lies(j, w)) return w;
-    if (wall[i] < 0 && wall[j] < 0 && topology.corner[i] && topology.corner[j])
-        for (int w = 0; w < static_cast<int>(topology.walls.size()); ++w)
-            if (topology.walls[w].patch >= 0 && lies(i, w) && lies(j, w)) return w;
-    return -1;
-}
-
 /// Midpoint of an edge with the mean of its ends; on a wall when the edge lies on it.
 template <int Dim>
 void insertNode(const Nodes<Dim>& old, int i, int j, int wall, State<Dim>& state) {
@@ -69,7 +54,7 @@ std::vector<int> carryOut(const NodePlan<Dim>& plan, const MovedMesh<Dim>& moved
     for (std::size_t k = 0; k < plan.inserted.size(); ++k) {
         newIndex[old.size() + k] = state.nodes.size();
         const auto [a, b] = plan.inserted[k];
-        insertNode(old, a, b, commonWall<Dim>(moved.topology, moved.wall, a, b), state);
+        insertNode(old, a, b, commonWall(moved.topology, moved.wall, plan.inserted[k]), state);
     }
     for (auto& s : state.mesh.solid.nodes)
         for (int& node : s) node = newIndex[node];

@@ -60,13 +60,6 @@ StepResult<Dim> stepWithRetries(const Problem<Dim>& problem, const Controls& con
 }  // namespace
 
 template <int Dim>
-double totalVolume(const State<Dim>& state) {
-    double volume = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes);
-    for (double drop : state.nodes.dropVolume) volume += drop;
-    return volume;
-}
-
-template <int Dim>
 std::pair<double, double> courantRate(const State<Dim>& state) {
     double largest = 0, sum = 0;
     for (int i = 0; i < state.nodes.size(); ++i) {
@@ -135,7 +128,6 @@ void startConsistently(const Problem<Dim>& problem, const Controls& controls, St
 }
 
 #define PFEM_INSTANTIATE(D)                                                                                  \
-    template double totalVolume<D>(const State<D>&);                                                         \
     template std::pair<double, double> courantRate<D>(const State<D>&);                                      \
     template AdvanceReport advance<D>(const Problem<D>&, const Controls&, State<D>&, double);                \
     template void startConsistently<D>(const Problem<D>&, const Controls&, State<D>&, double);

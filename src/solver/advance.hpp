@@ -22,10 +22,6 @@ struct AdvanceReport {
 template <int Dim>
 AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, State<Dim>& state, double dt);
 
-/// Volume of the fluid's cells plus what isolated particles carry.
-template <int Dim>
-double totalVolume(const State<Dim>& state);
-
 /// Largest |v|/h over all nodes [1/s]: times dt the Courant number. Also its mean. Particles in free flight count: they
 /// are the first to hit something.
 template <int Dim>

@@ -236,7 +236,7 @@ TEST_F(Functions, MistakesPrintTheValidWords) {
 
 TEST_F(Functions, MassLedgerAddsUp) {
     State<2> state = blocks(2);
-    EXPECT_DOUBLE_EQ(fluidVolume(state), 1.0);
+    EXPECT_DOUBLE_EQ(totalVolume<2>(state), 1.0);
     state.ledger = {{"contact", 0.5}};  // what the mesher left there does not count
     writeState(folder_.path() / "0", state);
     auto functions = make("mass { type massLedger; }");
@@ -266,7 +266,7 @@ TEST_F(Functions, MassLedgerAddsUp) {
 TEST_F(Functions, MassCountsIsolatedParticles) {
     State<2> state = blocks(2);
     state.nodes.dropVolume[0] = 0.25;
-    EXPECT_DOUBLE_EQ(fluidVolume(state), 1.25);
+    EXPECT_DOUBLE_EQ(totalVolume<2>(state), 1.25);
     EXPECT_DOUBLE_EQ(fluidMass(state, readDensities(folder_.path())), 1250);
     EXPECT_THROW(fluidMass(state, {}), UserError);
     EXPECT_EQ(fluidMass(State<2>{}, {}), 0);

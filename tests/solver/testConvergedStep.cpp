@@ -11,14 +11,7 @@ namespace {
 
 /// Water beside and over a soft solid step in a tank, in motion.
 TestCase smallFsi() {
-    TestCase c = makeCase("meshSize 0.05; bodies ("
-                          " water { type fluid; material water; vertices ((0 0) (0.4 0) (0.4 0.2) (0.6 0.2) (0.6 0.4) (0 0.4)); }"
-                          " step { type solid; material soft; vertices ((0.4 0) (0.6 0) (0.6 0.2) (0.4 0.2));"
-                          "   patches { base { edges ((0 1)); } } } );"
-                          " walls ( tank { points ((0 0.8) (0 0) (1 0) (1 0.8)); } );",
-                          "water { type newtonian; rho 1000; mu 0.5; kappa 2.1e9; }"
-                          "soft { type hypoelastic; rho 1200; E 1e5; nu 0.3; }",
-                          "tank { type slip; } base { type clamped; }");
+    TestCase c = waterBesideStep();
     c.start(1e-3);
     for (int n = 0; n < 20; ++n) c.step(2e-3);
     c.tolerance(1e-10);

@@ -13,14 +13,7 @@ namespace {
 
 /// A column of water beside a soft step, released.
 TestCase smallFsi(const std::string& integration, const std::string& formulation = "velocity") {
-    TestCase c = makeCase("meshSize 0.05; bodies ("
-                          " water { type fluid; material water; vertices ((0 0) (0.4 0) (0.4 0.2) (0.6 0.2) (0.6 0.4) (0 0.4)); }"
-                          " step { type solid; material soft; vertices ((0.4 0) (0.6 0) (0.6 0.2) (0.4 0.2));"
-                          "   patches { base { edges ((0 1)); } } } );"
-                          " walls ( tank { points ((0 0.8) (0 0) (1 0) (1 0.8)); } );",
-                          "water { type newtonian; rho 1000; mu 0.5; kappa 2.1e9; }"
-                          "soft { type hypoelastic; rho 1200; E 1e5; nu 0.3; }",
-                          "tank { type slip; } base { type clamped; }");
+    TestCase c = waterBesideStep();
     c.controls.integration.integration = integration;
     c.controls.solid.formulation = formulation;
     c.start(1e-3);

@@ -1,0 +1,31 @@
+#pragma once
+// How much fluid there is: the one definition that the solver's ledger and the mass functions share.
+
+#include "mesh/simplex.hpp"
+#include "state/state.hpp"
+
+namespace pfem {
+
+/// Sum of the cells' measures, inverted ones negative: what moves only inside changes nothing [m2 (2D), m3].
+template <int Dim>
+double cellVolume(const Points<Dim>& x, const std::vector<Simplex<Dim>>& cells) {
+    double volume = 0;
+    for (const auto& s : cells) volume += simplexMeasure<Dim>(x, s);
+    return volume;
+}
+
+/// What isolated particles carry.
+template <int Dim>
+double dropVolume(const State<Dim>& state) {
+    double volume = 0;
+    for (double drop : state.nodes.dropVolume) volume += drop;
+    return volume;
+}
+
+/// Volume of the fluid's cells plus what isolated particles carry.
+template <int Dim>
+double totalVolume(const State<Dim>& state) {
+    return cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes) + dropVolume<Dim>(state);
+}
+
+}  // namespace pfem
