@@ -16,7 +16,8 @@ struct ContinuityControls {
     std::string freeSurfacePressure = "weak";
     std::string stabilisation = "inertia";
     bool interfaceAcceleration = true;
-    double volumeCorrectionTime = 0.05;
+    double volumeReturnTime = 0.02;
+    double volumeCorrectionTime = 0;
 
     template <class Visitor>
     void entries(Visitor& v) {
@@ -34,8 +35,11 @@ struct ContinuityControls {
           oneOf({"inertia", "bodyForce"}));
         v("interfaceAcceleration", interfaceAcceleration, "-",
           "with bodyForce: moving solids enter the stabilisation with their normal acceleration", any);
+        v("volumeReturnTime", volumeReturnTime, "s",
+          "time scale within which volume that was lost or gained is returned where it happened; 0 = never",
+          nonNegative);
         v("volumeCorrectionTime", volumeCorrectionTime, "s",
-          "time scale of the correction that returns the fluid's volume to its initial value; 0 = none",
+          "time scale of a correction that returns the whole fluid's volume by a uniform divergence; 0 = none",
           nonNegative);
     }
 };

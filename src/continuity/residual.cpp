@@ -64,6 +64,8 @@ std::vector<double> continuityResidual(const Problem<Dim>& problem, const Contin
     const double tauFaces = inertia ? 0 : meanOverCells<Dim>(patches, tau);
     const auto terms = cellTerms<Dim>(problem, cells, patches, tau, tauFaces, trial, old, inertia, dt, divTarget);
     const NodeToCells& around = topology.fluid;
+    const double returnRate =
+        controls.volumeReturnTime > 0 ? 1 / std::max(controls.volumeReturnTime, dt) : 0;
     std::vector<double> R(trial.size(), 0.0);
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < topology.nNodes(); ++i) {
@@ -74,6 +76,7 @@ std::vector<double> continuityResidual(const Problem<Dim>& problem, const Contin
             R[i] += terms.rate[e] + terms.flux[e].dot(patches.element[e].gradN[around.corner[s]]);
         }
         R[i] += compressibility * (trial.p[i] - old.p[i]) / dt;
+        if (around.count(i) > 0) R[i] -= returnRate * old.lostVolume[i];
     }
 
     for (const auto& face : topology.faces) {

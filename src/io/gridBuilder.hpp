@@ -76,6 +76,7 @@ void addNodes(vtkUnstructuredGrid* grid, const State<Dim>& state, const NodeSet&
     if (withStress) data->AddArray(makeStress<Dim>(all.sigma, n, at));
     scalars("h", all.h);
     scalars("dropVolume", all.dropVolume);
+    scalars("lostVolume", all.lostVolume);
     data->AddArray(makeArray<vtkIntArray>("wall", 1, n, [&](int i, int) { return all.wall[at(i)]; }));
     for (const auto& [name, values] : extra.nodal) scalars(name, values);
     for (const auto& [name, values] : extra.nodalFlags)

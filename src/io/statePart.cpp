@@ -63,6 +63,7 @@ Nodes<Dim> readNodes(vtkUnstructuredGrid* grid, const std::filesystem::path& fil
     nodes.X = points("X");
     nodes.h = toScalars(arrays.doubles("h", 1));
     nodes.dropVolume = toScalars(arrays.doubles("dropVolume", 1));
+    nodes.lostVolume = toScalars(arrays.doubles("lostVolume", 1));
     for (const Id face : arrays.integers("wall")) nodes.wall.push_back(static_cast<int>(face));
     nodes.sigma.assign(nodes.id.size(), Stress<Dim>::Zero());
     hasStress = arrays.found("sigma");

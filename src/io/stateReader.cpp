@@ -22,7 +22,7 @@ bool sameBits(const Nodes<Dim>& a, std::size_t i, const Nodes<Dim>& b, std::size
     auto equal = [](double s, double t) { return std::memcmp(&s, &t, sizeof s) == 0; };
     return same(a.x[i], b.x[j]) && same(a.v[i], b.v[j]) && same(a.a[i], b.a[j]) && same(a.X[i], b.X[j]) &&
            equal(a.p[i], b.p[j]) && equal(a.h[i], b.h[j]) && equal(a.dropVolume[i], b.dropVolume[j]) &&
-           a.wall[i] == b.wall[j];
+           equal(a.lostVolume[i], b.lostVolume[j]) && a.wall[i] == b.wall[j];
 }
 
 /// All parts' nodes by ascending id; the first part that has a node gives its values (solid first: it has

@@ -33,7 +33,7 @@ void checkSizes(const State<Dim>& state, const ExtraFields& extra) {
     const std::size_t n = nodes.id.size();
     bool ok = nodes.x.size() == n && nodes.v.size() == n && nodes.a.size() == n && nodes.p.size() == n &&
               nodes.sigma.size() == n && nodes.X.size() == n && nodes.h.size() == n &&
-              nodes.dropVolume.size() == n && nodes.wall.size() == n;
+              nodes.dropVolume.size() == n && nodes.lostVolume.size() == n && nodes.wall.size() == n;
     for (std::size_t i = 1; i < n && ok; ++i) ok = nodes.id[i - 1] < nodes.id[i];
     if (!ok) throw InternalError("writeState: nodal arrays differ in length or ids do not ascend");
     if (n > 0 && nodes.id.back() >= state.nextId)

@@ -39,6 +39,7 @@ struct TimeIntegrationControls {
 struct MomentumControls {
     double theta = 0;
     std::string bulkRule = "local";
+    double viscousLimit = 0.01;
     double linearTolerance = 1e-6;
     int maxLinearIterations = 500;
 
@@ -51,6 +52,9 @@ struct MomentumControls {
           "local: rho h^2/dt of each patch; matrixMeans: one value that makes the bulk term's mean diagonal that of the "
           "mass",
           oneOf({"local", "matrixMeans"}));
+        v("viscousLimit", viscousLimit, "-",
+          "largest ratio of viscous forces to inertia (2 mu dt/(rho h^2)) that is left out of the momentum MATRIX",
+          nonNegative);
         v("linearTolerance", linearTolerance, "-", "relative residual of the conjugate gradients", positive);
         v("maxLinearIterations", maxLinearIterations, "-", "limit of the conjugate gradients", atLeast(1));
     }

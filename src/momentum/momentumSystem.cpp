@@ -1,5 +1,6 @@
 #include "momentum/momentumSystem.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "momentum/fluidStress.hpp"
@@ -31,6 +32,22 @@ std::vector<double> localBulk(const Problem<Dim>& problem, const Cells<Dim>& cel
         bulk[p] = rho * std::pow(pointVolume<Dim>(fluid, p), 2.0 / Dim) / dt;
     }
     return bulk;
+}
+
+/// Largest ratio of the viscous matrix's diagonal, at most sum_e 2 mu |e| |grad N_I|^2, to that of the mass.
+template <int Dim>
+double viscousNumber(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& fluid,
+                     const std::vector<double>& massDiagonal) {
+    std::vector<double> viscous(massDiagonal.size(), 0.0);
+    for (int e = 0; e < fluid.nCells(); ++e) {
+        const auto& g = fluid.element[e];
+        const double mu = problem.fluid(cells.material[e]).mu;
+        for (int k = 0; k <= Dim; ++k) viscous[fluid.cell(e)[k]] += 2 * mu * g.measure * g.gradN[k].squaredNorm();
+    }
+    double largest = 0;
+    for (std::size_t i = 0; i < viscous.size(); ++i)
+        if (massDiagonal[i] > 0) largest = std::max(largest, viscous[i] / massDiagonal[i]);
+    return largest;
 }
 
 /// One value for all points: mean diagonal of the mass matrix over that of sum_e |e| grad N_I . grad N_I / Dim.
@@ -71,8 +88,7 @@ MomentumSystem<Dim>::MomentumSystem(const Problem<Dim>& problem, const MomentumC
         moving_[i] = topology.wet(i) && !topology.onSolid[i] && moves;
     }
     setMass(mass);
-    for (const auto& material : problem.materials)
-        if (material.kind == MaterialKind::fluid && material.fluid.mu > 0) viscous_ = true;
+    viscous_ = viscousNumber<Dim>(problem, mesh.fluid, fluid, diagonal_) > controls_.viscousLimit;
     if (controls_.theta > 0) {
         viscous_ = true;
         bulk_ = controls_.bulkRule == "local" ? localBulk<Dim>(problem, mesh.fluid, fluid, newmark.dt)

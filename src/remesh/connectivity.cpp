@@ -81,12 +81,15 @@ public:
     Connectivity select() {
         for (std::size_t e = 0; e < t_.cells.size(); ++e) judge(static_cast<int>(e));
         countCells();
-        peel();
         Connectivity& result = result_;
+        result.gained.resize(nodes_.x.size(), 0.0);
+        peel();
         for (std::size_t e = 0; e < t_.cells.size(); ++e) {
             if (!accepted_[e]) continue;
             result.fluid.push_back(t_.cells[e]);
-            if (!inside_[e]) result.contact += simplexMeasure<2>(nodes_.x, t_.cells[e]);
+            if (inside_[e]) continue;
+            result.contact += simplexMeasure<2>(nodes_.x, t_.cells[e]);
+            gain(e, 1);
         }
         return std::move(result);
     }
@@ -171,6 +174,10 @@ private:
         return false;
     }
 
+    void gain(int e, int sign) {
+        for (int node : t_.cells[e]) result_.gained[node] += sign * simplexMeasure<2>(nodes_.x, t_.cells[e]) / 3;
+    }
+
     void peel() {
         std::vector<int> work;
         for (int e = 0; e < static_cast<int>(t_.cells.size()); ++e)
@@ -182,8 +189,10 @@ private:
             const bool stretched = isStretched(e) || isHanging(e);
             if (!stretched && !isReleased(e)) continue;
             accepted_[e] = 0;
-            if (inside_[e])
+            if (inside_[e]) {
                 (stretched ? result_.stretched : result_.released) += simplexMeasure<2>(nodes_.x, t_.cells[e]);
+                gain(e, -1);
+            }
             for (int node : t_.cells[e]) --cells_[node];
             for (int other : t_.neighbours[e])
                 if (isFluid(other)) work.push_back(other);

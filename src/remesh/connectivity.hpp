@@ -23,6 +23,7 @@ struct Connectivity {
     double contact = 0;    // volume of accepted triangles outside the moved old mesh
     double stretched = 0;  // volume peeled off inside it: stretched triangles and slivers
     double released = 0;   // volume peeled off inside it: wall nodes that were released
+    std::vector<double> gained;  // contact - stretched - released per node, a third of each triangle
 };
 
 /// Inside the moved old mesh everything is fluid; from its boundary, triangles with a circumradius above

@@ -10,13 +10,12 @@ MovedMesh<Dim> movedMesh(const State<Dim>& state, Topology<Dim> topology) {
     moved.x = state.nodes.x;
     moved.wall = state.nodes.wall;
     moved.dropVolume = state.nodes.dropVolume;
+    moved.lostVolume = state.nodes.lostVolume;
     moved.fluid = state.mesh.fluid.nodes;
     moved.solid = state.mesh.solid.nodes;
     moved.topology = std::move(topology);
     moved.volume = cellVolume<Dim>(moved.x, moved.fluid);
-    moved.patchVolume.assign(moved.x.size(), 0.0);
-    for (const auto& s : moved.fluid)
-        for (int node : s) moved.patchVolume[node] += simplexMeasure<Dim>(moved.x, s) / (Dim + 1);
+    moved.ring = nodeToNodes<Dim>(moved.fluid, moved.topology.fluid);
     return moved;
 }
 

@@ -13,11 +13,12 @@ struct MovedMesh {
     Points<Dim> x;
     std::vector<int> wall;           // as Nodes::wall
     std::vector<double> dropVolume;  // as Nodes::dropVolume
+    std::vector<double> lostVolume;  // as Nodes::lostVolume
     std::vector<Simplex<Dim>> fluid;
     std::vector<Simplex<Dim>> solid;
     Topology<Dim> topology;
-    std::vector<double> patchVolume;  // fluid volume of each node's patch
-    double volume = 0;                // of all fluid cells
+    NodeToNodes ring;   // neighbours in the fluid
+    double volume = 0;  // of all fluid cells
 };
 
 /// `topology`: of the state's mesh.

@@ -19,7 +19,7 @@ public:
           moved_(moved),
           h_(h),
           kept_(kept),
-          ring_(nodeToNodes<Dim>(moved.fluid, moved.topology.fluid)),
+          ring_(moved.ring),
           locked_(moved.x.size(), 0) {
         plan_.removed.assign(moved.x.size(), 0);
     }
@@ -115,6 +115,7 @@ private:
                 if (plan_.removed[b]) {  // its neighbours stay: one removal per patch
                     const auto after = next.find(b);
                     if (after == next.end()) continue;
+                    plan_.cuts.push_back({a, b, after->second});
                     b = after->second;
                 }
                 const auto mid = middle.find({std::min(a, b), std::max(a, b)});
@@ -137,7 +138,7 @@ private:
     const MovedMesh<Dim>& moved_;
     const std::vector<double>& h_;
     const std::vector<unsigned char>& kept_;
-    NodeToNodes ring_;
+    const NodeToNodes& ring_;
     std::vector<unsigned char> locked_;
     NodePlan<Dim> plan_;
 };

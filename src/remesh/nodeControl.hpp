@@ -13,6 +13,7 @@ struct NodePlan {
     std::vector<std::array<int, 2>> inserted;  // edges that get a node at their midpoint
     /// Free-surface faces after removal and insertion: old index i, or nOld + k for inserted node k.
     std::vector<Face<Dim>> surface;
+    std::vector<std::array<int, 3>> cuts;  // (2D) removed surface nodes between their neighbours along the surface
 };
 
 /// Inner fluid nodes nearer than removeDistance h to a neighbour go (free-surface and wall nodes:

@@ -6,6 +6,7 @@
 
 #include "mesh/simplex.hpp"
 #include "remesh/connectivity.hpp"
+#include "remesh/lostVolume.hpp"
 #include "remesh/nodeControl.hpp"
 
 namespace pfem {
@@ -36,7 +37,7 @@ void insertNode(const Nodes<Dim>& old, int i, int j, int wall, State<Dim>& state
     nodes.sigma.back().setZero();
     nodes.X.back() = nodes.x.back();
     nodes.h.back() = 0.5 * (old.h[i] + old.h[j]);
-    nodes.dropVolume.back() = 0;
+    nodes.dropVolume.back() = nodes.lostVolume.back() = 0;
     nodes.wall.back() = wall;
 }
 
@@ -150,29 +151,13 @@ std::vector<int> activeNodes(const State<2>& state) {
     return list;
 }
 
-/// A node that has lost its last triangle carries its patch's volume; one that has found one gives it back. Nodes
-/// without triangles have no pressure.
-void updateDrops(const MovedMesh<2>& moved, const std::vector<int>& newIndex, State<2>& state) {
+/// Nodes without triangles have no pressure.
+void clearDryPressure(State<2>& state) {
     std::vector<unsigned char> wet(state.nodes.size(), 0);
     for (const auto& s : state.mesh.fluid.nodes)
         for (int node : s) wet[node] = 1;
-    double change = 0;
-    for (std::size_t i = 0; i < moved.x.size(); ++i) {
-        const int node = newIndex[i];
-        if (node < 0) {
-            change -= moved.dropVolume[i];
-            continue;
-        }
-        double& carried = state.nodes.dropVolume[node];
-        const double before = carried;
-        if (wet[node] || moved.topology.held(static_cast<int>(i)))
-            carried = 0;
-        else if (moved.topology.wet(static_cast<int>(i)))
-            carried = moved.patchVolume[i];
-        change += carried - before;
-        if (!wet[node]) state.nodes.p[node] = 0;
-    }
-    state.ledger["isolated"] += change;
+    for (int i = 0; i < state.nodes.size(); ++i)
+        if (!wet[i]) state.nodes.p[i] = 0;
 }
 
 }  // namespace
@@ -189,6 +174,7 @@ template <int Dim>
 RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKind>& kinds, Topology<Dim> topology,
                     double dt, State<Dim>& state) {
     const MovedMesh<Dim> moved = movedMesh<Dim>(state, std::move(topology));
+    const double drops = dropVolume<Dim>(state);
     const auto plan = planNodes<Dim>(controls, moved, state.nodes.h, keptNodes<Dim>(state, moved.topology));
     const int material = state.mesh.fluid.material.empty() ? 0 : state.mesh.fluid.material[0];
     const auto newIndex = carryOut<Dim>(plan, moved, state);
@@ -205,7 +191,9 @@ RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKi
     state.ledger["stretched"] -= selected.stretched;
     state.ledger["released"] -= selected.released;
     state.ledger["reshaped"] += change - selected.contact + selected.stretched + selected.released;
-    updateDrops(moved, newIndex, state);
+    chargeRemeshing(moved, plan, newIndex, selected, change, state);
+    state.ledger["isolated"] += dropVolume<Dim>(state) - drops;
+    clearDryPressure(state);
 
     RemeshReport report;
     report.removed = std::accumulate(plan.removed.begin(), plan.removed.end(), 0);

@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "remesh/lostVolume.hpp"
 #include "remesh/penetration.hpp"
 #include "remesh/wallContact.hpp"
 
@@ -21,6 +22,15 @@ double volumeCorrection(const State<Dim>& state, double time, double dt) {
     double change = 0;
     for (const auto& [cause, amount] : state.ledger) change += amount;
     return volume > 0 ? -change / (volume * std::max(time, dt)) : 0;
+}
+
+/// Volume that the step returns to where it was lost, per time.
+template <int Dim>
+double returnRate(const Topology<Dim>& topology, const Nodes<Dim>& nodes, double time, double dt) {
+    double lost = 0;
+    for (int i = 0; i < nodes.size(); ++i)
+        if (topology.wet(i)) lost += nodes.lostVolume[i];
+    return time > 0 ? lost / std::max(time, dt) : 0;
 }
 
 /// Velocities and accelerations that the constraints allow.
@@ -90,7 +100,9 @@ AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Sta
     state.mesh.solid.sigma = std::move(result.cellSigma);
 
     const double moved = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes);
-    const double correction = divTarget * volume * report.dt;
+    const double correction =
+        report.dt * (divTarget * volume +
+                     returnRate<Dim>(topology, state.nodes, controls.continuity.volumeReturnTime, report.dt));
     state.ledger["correction"] += correction;
     state.ledger["solver"] += moved - volume - correction;
     report.seconds[0] = now() - start;
@@ -100,6 +112,7 @@ AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Sta
     landOnWalls<Dim>(controls.remeshing, topology, xOld, state);
     report.returned = returnPenetrating<Dim>(topology, controls.remeshing.wallDistance, state);
     const auto& cells = state.mesh.fluid.nodes;
+    chargeMotion<Dim>(topology.fluid, cells, xOld, state.nodes);
     const bool wallsChanged = wallsOld != state.nodes.wall || report.returned > 0;
     if (wallsChanged || isDistorted(controls.remeshing.distortion, state.nodes.x, cells))
         report.mesh = remesh<Dim>(controls.remeshing, kinds,

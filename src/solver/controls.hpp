@@ -14,6 +14,7 @@ struct ConvergenceControls {
     int minIterations = 2;
     int maxIterations = 30;
     int refactorEvery = 8;
+    int accelerationDepth = 2;
     int maxHalvings = 8;
     double deltaTMin = 1e-9;
 
@@ -25,6 +26,8 @@ struct ConvergenceControls {
         v("maxIterations", maxIterations, "-", "iterations after which the step is rejected", atLeast(1));
         v("refactorEvery", refactorEvery, "-",
           "iterations after which the pressure matrix is made anew in the current configuration", atLeast(1));
+        v("accelerationDepth", accelerationDepth, "-",
+          "iterations that Anderson's acceleration of the pressure remembers; 0 = none", atLeast(0));
         v("maxHalvings", maxHalvings, "-", "halvings of one step before the run stops", atLeast(0));
         v("deltaTMin", deltaTMin, "s", "smallest step before the run stops", positive);
     }

@@ -13,6 +13,7 @@
 #include "momentum/momentumSystem.hpp"
 #include "momentum/residual.hpp"
 #include "momentum/solidStress.hpp"
+#include "solver/anderson.hpp"
 #include "solver/convergence.hpp"
 
 namespace pfem {
@@ -122,6 +123,7 @@ StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, c
     StepReport report;
     std::vector<double> dp;
     SolidStress<Dim> stressOfSolid;
+    Anderson pressureIteration(controls.convergence.accelerationDepth);
     moveNodes<Dim>(newmark, constraints, topology, problem.gravity, old, trial);
     const int waiting = collapses<Dim>(fluid, trial.x) ? 2 : 0;
     for (bool converged = false; !converged;) {
@@ -150,11 +152,14 @@ StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, c
         updatePatches<Dim>(fluid, report.iterations + 1 < waiting ? old.x : trial.x);
         const auto R_c = continuityResidual<Dim>(problem, controls.continuity, mesh.fluid, topology, fluid, tau,
                                                  trial, old, dt, divTarget);
-        if (report.iterations > 0 && report.iterations % controls.convergence.refactorEvery == 0)
+        if (report.iterations > 0 && report.iterations % controls.convergence.refactorEvery == 0) {
+            pressureIteration.restart();
             continuity = ContinuitySystem<Dim>(problem, controls.continuity, mesh.fluid, topology, constraints, fluid,
                                                tau, trial.x, momentum.solidDofs(), momentum.solidMatrix(), newmark);
+        }
+        if (report.iterations == waiting) pressureIteration.restart();
         dp = continuity.solve(R_c);
-        for (int i = 0; i < trial.size(); ++i) trial.p[i] += dp[i];
+        trial.p = pressureIteration.next(trial.p, dp);
 
         converged = convergence.reached(rms<Dim>(dv), rms<Dim>(trial.v), rms(dp), rms(trial.p)) &&
                     report.iterations >= waiting;

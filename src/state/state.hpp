@@ -23,6 +23,7 @@ struct Nodes {
     Points<Dim> X;                    // reference position; D = x - X [m]
     std::vector<double> h;            // wanted distance to the neighbours [m]
     std::vector<double> dropVolume;   // volume carried by an isolated particle [m2 (2D), m3]
+    std::vector<double> lostVolume;   // what the fluid around the node has lost and not got back; < 0: gained
     std::vector<int> wall;            // the wall face along which the node slides (counted over all patches) or -1
 
     int size() const { return static_cast<int>(id.size()); }
@@ -61,6 +62,7 @@ void Nodes<Dim>::resize(int n) {
     X.resize(m, Vec<Dim>::Zero());
     h.resize(m, 0.0);
     dropVolume.resize(m, 0.0);
+    lostVolume.resize(m, 0.0);
     wall.resize(m, -1);
 }
 
@@ -75,6 +77,7 @@ void Nodes<Dim>::append(const Nodes& other, int i) {
     X.push_back(other.X[i]);
     h.push_back(other.h[i]);
     dropVolume.push_back(other.dropVolume[i]);
+    lostVolume.push_back(other.lostVolume[i]);
     wall.push_back(other.wall[i]);
 }
 

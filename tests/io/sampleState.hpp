@@ -57,6 +57,7 @@ inline State<2> sampleState() {
     for (const std::size_t i : {1u, 2u, 4u, 5u})
         s.nodes.sigma[i] << 1.0 / 3, -2e5 * static_cast<double>(i), 5e-324, -0.0;
     s.nodes.dropVolume[6] = 1e-5 / 3;
+    s.nodes.lostVolume[2] = -1e-6 / 7;
     s.mesh.fluid = {{{0, 1, 2}, {2, 3, 0}}, {1, 0}};
     s.mesh.solid = {{{5, 1, 4}, {1, 5, 2}}, {2, 2}};
     s.mesh.solid.sigma.resize(2);  // as with elemental integration
@@ -91,6 +92,7 @@ inline void expectIdentical(const State<2>& a, const State<2>& b) {
     EXPECT_TRUE(sameBits(a.nodes.X, b.nodes.X));
     EXPECT_TRUE(sameBits(a.nodes.h, b.nodes.h));
     EXPECT_TRUE(sameBits(a.nodes.dropVolume, b.nodes.dropVolume));
+    EXPECT_TRUE(sameBits(a.nodes.lostVolume, b.nodes.lostVolume));
     EXPECT_EQ(a.mesh.fluid.nodes, b.mesh.fluid.nodes);
     EXPECT_EQ(a.mesh.fluid.material, b.mesh.fluid.material);
     EXPECT_EQ(a.mesh.solid.nodes, b.mesh.solid.nodes);

@@ -1,0 +1,121 @@
+#include "remesh/lostVolume.hpp"
+
+#include <algorithm>
+
+#include "mesh/simplex.hpp"
+
+namespace pfem {
+
+namespace {
+
+/// What nodes that went and places on walls and solids that fell dry lack, to their old neighbours. Returns
+/// what found no heir.
+double handOver(const MovedMesh<2>& moved, const std::vector<int>& newIndex,
+                const std::vector<unsigned char>& wet, std::vector<double>& lost) {
+    double orphaned = 0;
+    for (int i = 0; i < moved.topology.nNodes(); ++i) {
+        const int node = newIndex[i];
+        const bool dryPlace = node >= 0 && moved.topology.held(i) && !wet[node];
+        if (node >= 0 && !dryPlace) continue;
+        const double amount = node < 0 ? moved.lostVolume[i] + moved.dropVolume[i] : lost[node];
+        std::vector<int> heirs;
+        for (int s = moved.ring.start[i]; s < moved.ring.start[i + 1]; ++s) {
+            const int heir = newIndex[moved.ring.node[s]];
+            if (heir >= 0 && wet[heir]) heirs.push_back(heir);
+        }
+        for (int heir : heirs) lost[heir] += amount / static_cast<double>(heirs.size());
+        if (heirs.empty()) orphaned += amount;
+        if (dryPlace) lost[node] = 0;
+    }
+    return orphaned;
+}
+
+/// What removed surface nodes cut off or fill in; returns the sum.
+double chargeCuts(const MovedMesh<2>& moved, const NodePlan<2>& plan, const std::vector<int>& newIndex,
+                  std::vector<double>& lost) {
+    double sum = 0;
+    for (const auto& cut : plan.cuts) {
+        const double area = simplexMeasure<2>(moved.x, cut);
+        for (int end : {cut[0], cut[2]})
+            if (newIndex[end] >= 0) {
+                lost[newIndex[end]] += 0.5 * area;
+                sum -= 0.5 * area;
+            }
+    }
+    return sum;
+}
+
+/// An even share for all old surface nodes that are still in the fluid.
+void chargeSurface(const MovedMesh<2>& moved, const std::vector<int>& newIndex,
+                   const std::vector<unsigned char>& wet, double change, std::vector<double>& lost) {
+    std::vector<int> surface;
+    for (int i = 0; i < moved.topology.nNodes(); ++i)
+        if (moved.topology.freeSurface[i] && newIndex[i] >= 0 && wet[newIndex[i]])
+            surface.push_back(newIndex[i]);
+    for (int node : surface) lost[node] -= change / static_cast<double>(surface.size());
+}
+
+/// Nodes without triangles carry what they lack; those that have found one lack what they carried.
+void exchangeWithDrops(const MovedMesh<2>& moved, const std::vector<int>& newIndex,
+                       const std::vector<unsigned char>& wet, Nodes<2>& nodes) {
+    for (int i = 0; i < moved.topology.nNodes(); ++i) {
+        const int node = newIndex[i];
+        if (node < 0) continue;
+        const double both = nodes.dropVolume[node] + nodes.lostVolume[node];
+        const bool drop = !wet[node] && !moved.topology.held(i) && both > 0;
+        nodes.dropVolume[node] = drop ? both : 0;
+        nodes.lostVolume[node] = drop ? 0 : both;
+    }
+}
+
+}  // namespace
+
+template <int Dim>
+void chargeMotion(const NodeToCells& around, const std::vector<Simplex<Dim>>& cells, const Points<Dim>& xOld,
+                  Nodes<Dim>& nodes) {
+    std::vector<double> change(cells.size()), weight(cells.size()), pool(cells.size());
+    for (std::size_t e = 0; e < cells.size(); ++e) {
+        const double now = simplexMeasure<Dim>(nodes.x, cells[e]);
+        change[e] = (now - simplexMeasure<Dim>(xOld, cells[e])) / (Dim + 1);
+        weight[e] = std::max(now, 0.0);
+    }
+    std::vector<double> intensity(nodes.size(), 0.0);
+    for (int i = 0; i < nodes.size(); ++i) {
+        double volume = 0;
+        for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
+            nodes.lostVolume[i] -= change[around.cell[s]];
+            volume += weight[around.cell[s]];
+        }
+        if (volume > 0) intensity[i] = nodes.lostVolume[i] / volume;
+    }
+    for (std::size_t e = 0; e < cells.size(); ++e)
+        for (int node : cells[e]) pool[e] += weight[e] * intensity[node] / (Dim + 1);
+    for (int i = 0; i < nodes.size(); ++i) {
+        if (intensity[i] == 0 && around.count(i) == 0) continue;
+        double sum = 0, volume = 0;
+        for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
+            sum += pool[around.cell[s]];
+            volume += weight[around.cell[s]];
+        }
+        if (volume > 0) nodes.lostVolume[i] = sum;
+    }
+}
+
+void chargeRemeshing(const MovedMesh<2>& moved, const NodePlan<2>& plan, const std::vector<int>& newIndex,
+                     const Connectivity& selected, double change, State<2>& state) {
+    std::vector<double>& lost = state.nodes.lostVolume;
+    std::vector<unsigned char> wet(state.nodes.size(), 0);
+    for (const auto& s : selected.fluid)
+        for (int node : s) wet[node] = 1;
+    for (int node = 0; node < state.nodes.size(); ++node) lost[node] -= selected.gained[node];
+    const double cuts = chargeCuts(moved, plan, newIndex, lost);
+    const double rest = change - selected.contact + selected.stretched + selected.released - cuts;
+    const double orphaned = handOver(moved, newIndex, wet, lost);
+    chargeSurface(moved, newIndex, wet, rest - orphaned, lost);
+    exchangeWithDrops(moved, newIndex, wet, state.nodes);
+}
+
+template void chargeMotion<2>(const NodeToCells&, const std::vector<Simplex<2>>&, const Points<2>&,
+                              Nodes<2>&);
+
+}  // namespace pfem
