@@ -19,7 +19,7 @@ WriteControl readWriteControl(const Dictionary& dict) {
 template <int Dim>
 FunctionObjects<Dim>::FunctionObjects(const Case& theCase, const Dictionary& dict,
                                       const std::string& startName, int precision,
-                                      const std::string& onlyType) {
+                                      const std::string& onlyType, std::optional<double> resumeAt) {
     const Dictionary functions = dict.subDictOrEmpty("functions");
     for (const auto& name : functions.keys()) {
         if (!functions.isDict(name)) functions.fatal(name, "'" + name + "' in functions is not a dictionary");
@@ -27,7 +27,7 @@ FunctionObjects<Dim>::FunctionObjects(const Case& theCase, const Dictionary& dic
         if (!entry.get("enabled", true)) continue;
         if (!onlyType.empty() && entry.get<std::string>("type") != onlyType) continue;
         const FunctionContext<Dim> context{name, theCase.postProcessing(name, startName), theCase.root(),
-                                           entry.get("writePrecision", precision), startName};
+                                           entry.get("writePrecision", precision), startName, resumeAt};
         functions_.push_back({name, readWriteControl(entry), makeFunction<Dim>(entry, context)});
     }
 }

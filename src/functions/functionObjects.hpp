@@ -13,10 +13,10 @@ template <int Dim>
 class FunctionObjects {
 public:
     /// `dict`: the dictionary that holds `functions`. `startName`: the time folder at which the run began;
-    /// the tables go to postProcessing/<name>/<startName>. `onlyType`: leave out all others ("": none left
-    /// out). Throws UserError.
+    /// the tables go to postProcessing/<name>/<startName>, or continue those of the run before when `resumeAt` is
+    /// the exact time at which it goes on. `onlyType`: leave out all others ("": none left out). Throws UserError.
     FunctionObjects(const Case& theCase, const Dictionary& dict, const std::string& startName,
-                    int precision = 6, const std::string& onlyType = "");
+                    int precision = 6, const std::string& onlyType = "", std::optional<double> resumeAt = {});
 
     /// With the state at the start. Rows are written only when that is the very first of the case (index 0),
     /// so that the tables of a restarted run join without a repeated row.
