@@ -76,7 +76,7 @@ int run(const Options& options) {
     const Problem<2> problem = readProblem(theCase, state);
     const Controls controls = readControls(theCase);
     const auto resumeAt = state.time.index > 0 ? std::optional(state.time.value) : std::nullopt;
-    FunctionObjects<2> functions(theCase, clock.dictionary(), clock.startName(), clock.controls().writePrecision, "",
+    FunctionObjects<2> functions(theCase, clock.dictionary(), clock.startName(), clock.controls().writePrecision, {},
                                  resumeAt);
     warnUnused(clock.dictionary(), std::cerr);
 
@@ -100,6 +100,7 @@ int run(const Options& options) {
         std::cout << courantLines(courantMean, courantMax, report.dt) << "Time = " << clock.name(state.time) << "\n\n"
                   << stepLines(report, state, firstVolume);
         functions.execute(state);
+        state.memory = functions.memory();
         if (clock.writeDue(state.time)) {
             save(theCase, problem, clock, state);
             clock.written(state.time);
