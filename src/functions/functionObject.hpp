@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct FunctionContext {
     std::filesystem::path root;    // of the case
     int precision = 6;             // significant digits of the columns
     std::string startName;         // name of the time folder at which the run began
+    std::optional<double> resumeAt = {};  // the exact time at which a run goes on: for Table; none for new tables
 };
 
 template <int Dim>
@@ -31,6 +33,12 @@ public:
 
     /// Called once with the state at the start, before any execute().
     virtual void start(const State<Dim>& state) = 0;
+
+    /// After every step, also when no row is due: for what sums or filters over time. Called before execute().
+    virtual void advance(const State<Dim>&) {}
+
+    /// Numbers that a restart needs; start() finds them again in State::memory under the function's name.
+    virtual std::vector<double> memory() const { return {}; }
 
     /// Evaluate the state and write a row. Throws UserError when the file cannot be written.
     virtual void execute(const State<Dim>& state) = 0;

@@ -17,6 +17,7 @@ struct ConvergenceControls {
     int accelerationDepth = 2;
     int maxHalvings = 8;
     double deltaTMin = 1e-9;
+    double maxVolumeChange = 0.1;
 
     template <class Visitor>
     void entries(Visitor& v) {
@@ -29,7 +30,10 @@ struct ConvergenceControls {
         v("accelerationDepth", accelerationDepth, "-",
           "iterations that Anderson's acceleration of the pressure remembers; 0 = none", atLeast(0));
         v("maxHalvings", maxHalvings, "-", "halvings of one step before the run stops", atLeast(0));
-        v("deltaTMin", deltaTMin, "s", "smallest step before the run stops", positive);
+        v("deltaTMin", deltaTMin, "s",
+          "smallest step before the run stops; also when a node would cross its mesh size within it", positive);
+        v("maxVolumeChange", maxVolumeChange, "-",
+          "change of the fluid's volume within one step, in parts of it, at which the step is rejected", positive);
     }
 };
 
