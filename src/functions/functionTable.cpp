@@ -1,10 +1,13 @@
 #include <map>
 
 #include "case/timeFolders.hpp"
+#include "functions/boundingBox.hpp"
+#include "functions/energy.hpp"
 #include "functions/fieldMinMax.hpp"
 #include "functions/forces.hpp"
 #include "functions/front.hpp"
 #include "functions/functionObject.hpp"
+#include "functions/line.hpp"
 #include "functions/massLedger.hpp"
 #include "functions/pressureSensor.hpp"
 #include "functions/probes.hpp"
@@ -26,9 +29,12 @@ std::unique_ptr<FunctionObject<Dim>> make(const Dictionary& dict, const Function
 template <int Dim>
 const std::map<std::string, Factory<Dim>>& table() {
     static const std::map<std::string, Factory<Dim>> entries{
+        {"boundingBox", make<Dim, BoundingBox<Dim>>},
+        {"energy", make<Dim, Energy<Dim>>},
         {"fieldMinMax", make<Dim, FieldMinMax<Dim>>},
         {"forces", make<Dim, Forces<Dim>>},
         {"front", make<Dim, Front<Dim>>},
+        {"line", make<Dim, Line<Dim>>},
         {"massLedger", make<Dim, MassLedger<Dim>>},
         {"pressureSensor", make<Dim, PressureSensor<Dim>>},
         {"probes", make<Dim, Probes<Dim>>},
