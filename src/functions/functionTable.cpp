@@ -18,17 +18,14 @@ namespace pfem {
 
 namespace {
 
-template <int Dim>
-using Factory = std::unique_ptr<FunctionObject<Dim>> (*)(const Dictionary&, const FunctionContext<Dim>&);
-
 template <int Dim, class Function>
 std::unique_ptr<FunctionObject<Dim>> make(const Dictionary& dict, const FunctionContext<Dim>& context) {
     return std::make_unique<Function>(dict, context);
 }
 
 template <int Dim>
-const std::map<std::string, Factory<Dim>>& table() {
-    static const std::map<std::string, Factory<Dim>> entries{
+std::map<std::string, FunctionFactory<Dim>>& table() {
+    static std::map<std::string, FunctionFactory<Dim>> entries{
         {"boundingBox", make<Dim, BoundingBox<Dim>>},
         {"energy", make<Dim, Energy<Dim>>},
         {"fieldMinMax", make<Dim, FieldMinMax<Dim>>},
@@ -44,6 +41,11 @@ const std::map<std::string, Factory<Dim>>& table() {
 }
 
 }  // namespace
+
+template <int Dim>
+bool addFunctionType(const std::string& type, FunctionFactory<Dim> factory) {
+    return table<Dim>().emplace(type, factory).second;
+}
 
 std::vector<std::string> functionTypes() {
     std::vector<std::string> words;
@@ -68,6 +70,7 @@ std::unique_ptr<FunctionObject<Dim>> makeFunction(const Dictionary& dict,
     return entry->second(dict, context);
 }
 
+template bool addFunctionType<2>(const std::string&, FunctionFactory<2>);
 template State<2> initialState<2>(const std::filesystem::path&, const State<2>&);
 template std::unique_ptr<FunctionObject<2>> makeFunction<2>(const Dictionary&, const FunctionContext<2>&);
 
