@@ -35,7 +35,7 @@ private:
 
 template <int Dim>
 void BoundingBox<Dim>::start(const State<Dim>&) {
-    table_.emplace(context_.folder / "boundingBox.dat", context_.precision);
+    table_.emplace(context_.folder / "boundingBox.dat", context_.precision, context_.resumeAt);
     table_->header({"Time", "fluidMin", "fluidMax", "solidMin", "solidMax"});
 }
 
@@ -49,7 +49,7 @@ void BoundingBox<Dim>::execute(const State<Dim>& state) {
         if (nodes.dropVolume[i] > 0) fluid.add(nodes.x[i]);
     for (const auto& cell : state.mesh.solid.nodes)
         for (const int i : cell) solid.add(nodes.x[i]);
-    table_->row({table_->number(state.time.value), table_->tuple(fluid.low()), table_->tuple(fluid.high()),
+    table_->row({table_->time(state.time.value), table_->tuple(fluid.low()), table_->tuple(fluid.high()),
                  table_->tuple(solid.low()), table_->tuple(solid.high())});
 }
 

@@ -29,7 +29,7 @@ void Energy<Dim>::start(const State<Dim>& state) {
     ids_ = state.nodes.id;
     x_ = state.nodes.x;
     loads_ = tractionForce<Dim>(state.mesh, problem_->conditions, state.nodes.x);
-    table_.emplace(context_.folder / "energy.dat", context_.precision);
+    table_.emplace(context_.folder / "energy.dat", context_.precision, context_.resumeAt);
     table_->comment("Energy, dissipation and work since the beginning [J/m in 2D, J in 3D]");
     table_->header({"Time", "kinetic", "elastic", "potential", "total", "viscous", "damper", "workWalls",
                     "workLoads", "numerical"});
@@ -63,10 +63,9 @@ void Energy<Dim>::execute(const State<Dim>& state) {
     const auto energy = storedEnergy<Dim>(*problem_, controls_, state);
     const double numerical =
         first_ + flows_.workWalls + flows_.workLoads - energy.total() - flows_.viscous - flows_.damper;
-    std::vector<std::string> row;
-    for (const double value :
-         {state.time.value, energy.kinetic, energy.elastic, energy.potential, energy.total(), flows_.viscous,
-          flows_.damper, flows_.workWalls, flows_.workLoads, numerical})
+    std::vector<std::string> row{table_->time(state.time.value)};
+    for (const double value : {energy.kinetic, energy.elastic, energy.potential, energy.total(),
+                               flows_.viscous, flows_.damper, flows_.workWalls, flows_.workLoads, numerical})
         row.push_back(table_->number(value));
     table_->row(row);
 }

@@ -52,7 +52,7 @@ void Probes<Dim>::execute(const State<Dim>& state) {
     for (std::size_t f = 0; f < fields_.size(); ++f) {
         const NodalField<Dim>& field = fields_[f];
         Table& table = tables_[f];
-        std::vector<std::string> row{table.number(state.time.value)};
+        std::vector<std::string> row{table.time(state.time.value)};
         for (const auto& at : samples) {
             const auto value = sampledValue<Dim>(field, state.nodes, at, dry);
             row.push_back(field.components == 1 ? table.number(value[0]) : table.tuple(value));
