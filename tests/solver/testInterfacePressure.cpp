@@ -17,7 +17,7 @@ TestCase column(const char* integration, const char* formulation) {
     TestCase c = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.5) +
                               " patches { sides { edges ((1 2) (3 0)); } } } floor { type solid; material stiff; " + rectangle(0, -0.3, 1, 0) +
                               " patches { base { edges ((0 1)); } sides { edges ((1 2) (3 0)); } } } );",
-                          water + "stiff { type hypoelastic; rho 1e-3; E 1e9; nu 0.4; }",
+                          water + "stiff { type hypoelastic; rho 1e-3; E 1e7; nu 0.4; }",
                           "base { type clamped; } sides { type symmetry; }");
     c.controls.integration.integration = integration;
     c.controls.solid.formulation = formulation;
@@ -34,8 +34,8 @@ class InterfacePressure : public testing::TestWithParam<std::tuple<const char*, 
 TEST_P(InterfacePressure, isTwofold) {
     const auto [integration, formulation] = GetParam();
     TestCase c = column(integration, formulation);
-    c.start(2e-3);
-    for (int n = 0; n < 30; ++n) ASSERT_EQ(c.step(2e-3).rejected, 0);
+    c.start(4e-3);
+    for (int n = 0; n < 30; ++n) ASSERT_EQ(c.step(4e-3).rejected, 0);
     const auto topology = c.topology();
     const double p = 1000 * g * 0.5;
     int interface = 0;
