@@ -41,8 +41,7 @@ std::vector<bool> Band::where(Bracket value) const {
 }
 
 Band makeBand(const Study& study) {
-    if (study.t.size() < 2 || study.twins.empty())
-        throw UserError("the curves have no time in common");
+    if (study.t.size() < 2 || study.twins.empty()) throw UserError("the curves have no time in common");
     const Twin& fine = study.twins.back();
     const double restNodal = first(fine.nodal), restElemental = first(fine.elemental);
     Band band;
@@ -53,7 +52,8 @@ Band makeBand(const Study& study) {
         band.lower.push_back(std::min(n, e));
         band.upper.push_back(std::max(n, e));
         const double toNodal = n - restNodal, toElemental = e - restElemental;
-        const bool opposite = toNodal * toElemental < 0 && std::min(std::abs(toNodal), std::abs(toElemental)) > slack;
+        const bool opposite =
+            toNodal * toElemental < 0 && std::min(std::abs(toNodal), std::abs(toElemental)) > slack;
         Bracket b = Bracket::holds;
         if (std::isnan(n) || std::isnan(e))
             b = Bracket::missing;

@@ -1,9 +1,10 @@
 #pragma once
 // The band between a nodal and an elemental computation of one quantity, and where it means something.
 //
-// Proved (linear elasticity, the solid's own energy under given loads): compatible elements are too stiff; found by
-// experiment: nodal stress is too soft. So the nodal curve goes FARTHER from the state of rest than the elemental one, and both come
-// nearer to each other as the mesh gets finer. Where the curves do not behave so they bracket nothing.
+// Proved (linear elasticity, the solid's own energy under given loads): compatible elements are too stiff;
+// found by experiment: nodal stress is too soft. So the nodal curve goes FARTHER from the state of rest than
+// the elemental one, and both come nearer to each other as the mesh gets finer. Where the curves do not
+// behave so they bracket nothing.
 
 #include <string>
 #include <vector>
@@ -56,8 +57,8 @@ struct Width {
 };
 Width widthOf(const Study& study, const Band& band);
 
-/// How a curve lies to the band: part of the time for which both have values, part of that inside, largest distance
-/// outside and when.
+/// How a curve lies to the band: part of the time for which both have values, part of that inside, largest
+/// distance outside and when.
 struct Containment {
     double compared = 0, inside = 0, farthest = 0, when = 0;
     std::vector<Span> outside;

@@ -15,8 +15,8 @@ double valueAt(const Curve& curve, double t);
 /// The curve at the times t.
 std::vector<double> valuesAt(const Curve& curve, const std::vector<double>& t);
 
-/// All sample times of the curves within the span that they have in common, ascending, each once. Between two of
-/// them every curve is straight. Empty when the curves have no span in common.
+/// All sample times of the curves within the span that they have in common, ascending, each once. Between two
+/// of them every curve is straight. Empty when the curves have no span in common.
 std::vector<double> commonTimes(const std::vector<Curve>& curves);
 
 /// Seconds for which each sample stands: half the distance between its neighbours.

@@ -53,7 +53,8 @@ Estimate estimate(const Study& study, const Band& band) {
     result.order = std::log(width[n - 2] / width[n - 1]) / std::log(coarse.h / fine.h);
     if (!(result.order > 0.5 && result.order < 3)) {
         result.obstacle = fmt::format(
-            "the band's width goes with the mesh size to the power {:.2f}, not between 0.5 and 3: too coarse", result.order);
+            "the band's width goes with the mesh size to the power {:.2f}, not between 0.5 and 3: too coarse",
+            result.order);
         return result;
     }
     constexpr double missing = std::numeric_limits<double>::quiet_NaN();
@@ -69,7 +70,8 @@ Estimate estimate(const Study& study, const Band& band) {
         for (const double other : {observed.nodal, observed.elemental, formal.nodal, formal.elemental})
             distance = std::max(distance, std::abs(other - u));
         if (n > 2)
-            distance = std::max(distance, std::abs(limits(study.twins[n - 3], coarse, i, result.order).mean() - u));
+            distance =
+                std::max(distance, std::abs(limits(study.twins[n - 3], coarse, i, result.order).mean() - u));
         result.value.push_back(u);
         result.uncertainty.push_back((n > 2 ? 1.25 : 3) * distance);
     }

@@ -102,7 +102,8 @@ std::vector<History> emptyHistories(const Rows& rows, const std::string& file) {
 
 }  // namespace
 
-std::vector<History> readHistories(const fs::path& root, const std::string& function, const std::string& file) {
+std::vector<History> readHistories(const fs::path& root, const std::string& function,
+                                   const std::string& file) {
     std::vector<History> histories;
     const fs::path place = root / "postProcessing" / function;
     for (const auto& start : startFolders(root, function)) {
@@ -130,8 +131,7 @@ std::vector<History> readHistories(const fs::path& root, const std::string& func
             }
         }
     }
-    if (histories.empty())
-        throw UserError(fmt::format("no rows in \"{}\"", (place / "*" / file).string()));
+    if (histories.empty()) throw UserError(fmt::format("no rows in \"{}\"", (place / "*" / file).string()));
     return histories;
 }
 

@@ -15,10 +15,11 @@ struct History {
     Curve curve;
 };
 
-/// All columns of postProcessing/<function>/*/<file> behind the time, in the order of the table. Each start time has a
-/// folder; a later one takes over where it starts. Columns of probes are called <field>_<component>, with the number
-/// of the probe in front where there are several; others by the title in the last comment. -1e+300 (a dry probe) is a
-/// missing sample. Throws UserError for a table without rows, and for what is not a number with file and line.
+/// All columns of postProcessing/<function>/*/<file> behind the time, in the order of the table. Each start
+/// time has a folder; a later one takes over where it starts. Columns of probes are called
+/// <field>_<component>, with the number of the probe in front where there are several; others by the title in
+/// the last comment. -1e+300 (a dry probe) is a missing sample. Throws UserError for a table without rows,
+/// and for what is not a number with file and line.
 std::vector<History> readHistories(const std::filesystem::path& root, const std::string& function,
                                    const std::string& file);
 

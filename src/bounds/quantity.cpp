@@ -48,8 +48,8 @@ std::vector<Quantity> quantitiesOf(const std::string& function, const std::vecto
         q.study.t = commonTimes(curves);
         if (until) std::erase_if(q.study.t, [&](double t) { return t > *until * (1 + 1e-9); });
         for (std::size_t k = 0; k < twins.size(); ++k)
-            q.study.twins.push_back({twins[k].h, valuesAt(curves[k], q.study.t),
-                                     valuesAt(curves[twins.size() + k], q.study.t)});
+            q.study.twins.push_back(
+                {twins[k].h, valuesAt(curves[k], q.study.t), valuesAt(curves[twins.size() + k], q.study.t)});
         q.band = makeBand(q.study);
         q.limit = estimate(q.study, q.band);
         if (const Curve* curve = find(reference, history.name)) q.reference = valuesAt(*curve, q.study.t);
@@ -61,8 +61,10 @@ std::vector<Quantity> quantitiesOf(const std::string& function, const std::vecto
 void writeQuantity(const std::filesystem::path& folder, const Quantity& q, int precision) {
     Table table(folder / (q.name + ".dat"), precision);
     table.comment(q.name + ": the finest mesh's band between nodal and elemental integration");
-    table.comment("bracket: 1 holds, 0 narrower than 1/1000 of the range, -1 order reversed, -2 leaves the coarser band, "
-                  "-9 missing");
+    table.comment(
+        "bracket: 1 holds, 0 narrower than 1/1000 of the range, -1 order reversed, -2 leaves the coarser "
+        "band, "
+        "-9 missing");
     std::vector<std::string> titles{"Time", "lower", "upper", "width", "bracket", "estimate", "uncertainty"};
     for (const Twin& twin : q.study.twins)
         for (const char* integration : {"nodal", "elemental"})
@@ -71,8 +73,8 @@ void writeQuantity(const std::filesystem::path& folder, const Quantity& q, int p
     table.header(titles);
     const auto number = [&](double y) { return std::isnan(y) ? std::string("-") : table.number(y); };
     for (std::size_t i = 0; i < q.study.t.size(); ++i) {
-        std::vector<std::string> row{table.number(q.study.t[i]), number(q.band.lower[i]), number(q.band.upper[i]),
-                                     number(q.band.upper[i] - q.band.lower[i]),
+        std::vector<std::string> row{table.number(q.study.t[i]), number(q.band.lower[i]),
+                                     number(q.band.upper[i]), number(q.band.upper[i] - q.band.lower[i]),
                                      std::to_string(static_cast<int>(q.band.bracket[i]))};
         for (const auto* values : {&q.limit.value, &q.limit.uncertainty})
             row.push_back(values->empty() ? "-" : number((*values)[i]));

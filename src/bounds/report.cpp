@@ -48,8 +48,9 @@ std::string estimateText(const Quantity& q) {
         }
     }
     if (!(seconds > 0)) return "    no estimate: the band holds nowhere\n";
-    return fmt::format("    limit for h -> 0: order {:.2f}; largest {:.5g} +- {:.2g} at {:.4g} s; mean uncertainty {:.3g}\n",
-                       q.limit.order, q.limit.value[k], q.limit.uncertainty[k], q.study.t[k], sum / seconds);
+    return fmt::format(
+        "    limit for h -> 0: order {:.2f}; largest {:.5g} +- {:.2g} at {:.4g} s; mean uncertainty {:.3g}\n",
+        q.limit.order, q.limit.value[k], q.limit.uncertainty[k], q.study.t[k], sum / seconds);
 }
 
 std::string referenceText(const Quantity& q) {
@@ -57,11 +58,13 @@ std::string referenceText(const Quantity& q) {
     const double slack = narrow * q.band.range;
     const auto c = containment(q.study.t, q.band, *q.reference, slack);
     if (c.compared == 0) return "    the reference has no values at these times\n";
-    std::string text = fmt::format("    the reference is inside the band, or within 1/1000 of the range ({:.2g}), for {:.1f} % of the "
-                                   "time; inside to the last digit {:.1f} %\n",
-                                   slack, 100 * c.inside, 100 * containment(q.study.t, q.band, *q.reference).inside);
+    std::string text = fmt::format(
+        "    the reference is inside the band, or within 1/1000 of the range ({:.2g}), for {:.1f} % of the "
+        "time; inside to the last digit {:.1f} %\n",
+        slack, 100 * c.inside, 100 * containment(q.study.t, q.band, *q.reference).inside);
     if (!c.outside.empty())
-        text += fmt::format("    outside by at most {:.3g} at {:.4g} s: {}\n", c.farthest, c.when, spansText(c.outside));
+        text += fmt::format("    outside by at most {:.3g} at {:.4g} s: {}\n", c.farthest, c.when,
+                            spansText(c.outside));
     return text;
 }
 
@@ -78,7 +81,8 @@ std::string spansText(std::vector<Span> spans) {
     if (spans.size() > 4) spans.resize(4);
     std::sort(spans.begin(), spans.end(), [](const Span& a, const Span& b) { return a.from < b.from; });
     std::string text;
-    for (const Span& span : spans) text += fmt::format("{}{:.4g} - {:.4g}", text.empty() ? "" : ", ", span.from, span.to);
+    for (const Span& span : spans)
+        text += fmt::format("{}{:.4g} - {:.4g}", text.empty() ? "" : ", ", span.from, span.to);
     return text + " s" + (total > 4 ? fmt::format("; {} spans in all", total) : "");
 }
 
@@ -86,32 +90,41 @@ std::string reportOf(const Quantity& q) {
     const Twin& fine = q.study.twins.back();
     const Width width = widthOf(q.study, q.band);
     const double holds = fractionWhere(q.study.t, q.band.where(Bracket::holds));
-    std::string text = fmt::format("{}, mesh size {}, {:.4g} - {:.4g} s\n", q.name, fine.h, q.study.t.front(), q.study.t.back());
-    text += fmt::format("    nodal and elemental bracket for {:.1f} % of the time; nearer to each other than 1/1000 of the range "
-                        "for {:.1f} %\n",
-                        100 * holds, 100 * fractionWhere(q.study.t, q.band.where(Bracket::none)));
-    text += fault(q, Bracket::reversed, "the nodal curve is not the one farther from the start: the curves have crossed");
+    std::string text = fmt::format("{}, mesh size {}, {:.4g} - {:.4g} s\n", q.name, fine.h, q.study.t.front(),
+                                   q.study.t.back());
+    text += fmt::format(
+        "    nodal and elemental bracket for {:.1f} % of the time; nearer to each other than 1/1000 of the "
+        "range "
+        "for {:.1f} %\n",
+        100 * holds, 100 * fractionWhere(q.study.t, q.band.where(Bracket::none)));
+    text += fault(q, Bracket::reversed,
+                  "the nodal curve is not the one farther from the start: the curves have crossed");
     text += fault(q, Bracket::leaves, "the band leaves the one of the coarser mesh: too coarse");
     text += fault(q, Bracket::missing, "a curve has no value");
     if (const auto times = crossings(q.study, q.band); !times.empty())
-        text += fmt::format("    the curves cross {} times, first at {:.4g} s: around a crossing a thin band is no sign of "
-                            "accuracy\n",
-                            times.size(), times.front());
+        text += fmt::format(
+            "    the curves cross {} times, first at {:.4g} s: around a crossing a thin band is no sign of "
+            "accuracy\n",
+            times.size(), times.front());
     text += "    farthest from the start: " + peakText(q, fine.nodal, "nodal") + ", " +
             peakText(q, fine.elemental, "elemental") + "\n";
-    text += fmt::format("    width: mean {:.3g}, largest {:.3g} at {:.4g} s; mean {:.0f} % of the range of the curves{}\n",
-                        width.mean, width.largest, width.when, q.band.range > 0 ? 100 * width.mean / q.band.range : 0,
-                        width.mean > wide * q.band.range ? ": TOO COARSE to say much" : "");
+    text += fmt::format(
+        "    width: mean {:.3g}, largest {:.3g} at {:.4g} s; mean {:.0f} % of the range of the curves{}\n",
+        width.mean, width.largest, width.when, q.band.range > 0 ? 100 * width.mean / q.band.range : 0,
+        width.mean > wide * q.band.range ? ": TOO COARSE to say much" : "");
     return text + estimateText(q) + referenceText(q);
 }
 
 std::string unlikeMeshes(const std::vector<double>& sizes, const std::vector<int>& cells) {
     for (std::size_t k = 1; k < sizes.size(); ++k) {
-        const double wanted = std::pow(sizes[k - 1] / sizes[k], 2), found = static_cast<double>(cells[k]) / cells[k - 1];
+        const double wanted = std::pow(sizes[k - 1] / sizes[k], 2),
+                     found = static_cast<double>(cells[k]) / cells[k - 1];
         if (found < wanted / 1.25 || found > 1.25 * wanted)
-            return fmt::format("from mesh size {} to {} the triangles become {:.2f} times as many, not {:.2f}: do bodies have a "
-                               "meshSize or cells of their own? The order and the estimate are then not to be trusted",
-                               sizes[k - 1], sizes[k], found, wanted);
+            return fmt::format(
+                "from mesh size {} to {} the triangles become {:.2f} times as many, not {:.2f}: do bodies "
+                "have a "
+                "meshSize or cells of their own? The order and the estimate are then not to be trusted",
+                sizes[k - 1], sizes[k], found, wanted);
     }
     return "";
 }

@@ -17,8 +17,8 @@ struct TwinCase {
     std::string name() const;  // "nodal-0.006"
 };
 
-/// The twins of these mesh sizes, coarse to fine, nodal before elemental. Throws UserError for sizes that are not
-/// positive or not different.
+/// The twins of these mesh sizes, coarse to fine, nodal before elemental. Throws UserError for sizes that are
+/// not positive or not different.
 std::vector<TwinCase> twinCases(const Case& theCase, const std::string& folder, std::vector<double> sizes);
 
 /// The mesh sizes for which `folder` holds both twins, coarse to fine.
@@ -30,8 +30,8 @@ double meshSizeOf(const Case& theCase);
 /// Write constant/ and system/ of the twin: those of the case, macros and includes resolved, with
 ///     pfemSolution    integration <nodal|elemental>;
 ///     controlDict     startFrom latestTime;  and endTime where it is given.
-/// A twin that has results must have been made from the same dictionaries (controlDict may change): else UserError
-/// which names the file; with `overwrite` its folder is removed first.
+/// A twin that has results must have been made from the same dictionaries (controlDict may change): else
+/// UserError which names the file; with `overwrite` its folder is removed first.
 void prepareTwin(const Case& theCase, const TwinCase& twin, std::optional<double> endTime, bool overwrite);
 
 /// The latest complete time of a case and the end of its run [s].

@@ -15,8 +15,8 @@ inline std::vector<double> times(double end, int n) {
 }
 
 /// nodal = u (1 + a h^q), elemental = u (1 - b h^q) for each mesh size.
-inline Study powerLaw(const std::vector<double>& t, const std::function<double(double)>& u, const std::vector<double>& sizes,
-                      double a, double b, double q) {
+inline Study powerLaw(const std::vector<double>& t, const std::function<double(double)>& u,
+                      const std::vector<double>& sizes, double a, double b, double q) {
     Study study{t, {}};
     for (const double h : sizes) {
         Twin twin{h, {}, {}};

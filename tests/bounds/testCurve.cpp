@@ -26,7 +26,8 @@ TEST(Curve, missingSampleIsMissingOnBothSides) {
 }
 
 TEST(Curve, commonTimes) {
-    EXPECT_EQ(commonTimes({{{0, 1, 3}, {0, 0, 0}}, {{0.5, 1, 2, 4}, {0, 0, 0, 0}}}), (std::vector<double>{0.5, 1, 2, 3}));
+    EXPECT_EQ(commonTimes({{{0, 1, 3}, {0, 0, 0}}, {{0.5, 1, 2, 4}, {0, 0, 0, 0}}}),
+              (std::vector<double>{0.5, 1, 2, 3}));
     EXPECT_TRUE(commonTimes({{{0, 1}, {0, 0}}, {{2, 3}, {0, 0}}}).empty());
     EXPECT_TRUE(commonTimes({{{0, 1}, {0, 0}}, {}}).empty());
 }

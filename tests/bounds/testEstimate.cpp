@@ -8,9 +8,13 @@ namespace {
 
 using namespace test;
 
-double u(double t) { return 3 * t - t * t; }
+double u(double t) {
+    return 3 * t - t * t;
+}
 
-Estimate of(const Study& study) { return estimate(study, makeBand(study)); }
+Estimate of(const Study& study) {
+    return estimate(study, makeBand(study));
+}
 
 // A pure power law is extrapolated exactly, whatever its order; of order 2 without any uncertainty.
 TEST(Estimate, exactForAPowerLaw) {
@@ -31,7 +35,8 @@ TEST(Estimate, exactForAPowerLaw) {
     }
 }
 
-// With a term of the fourth power the estimate is off, by less than its uncertainty; finer meshes make both smaller.
+// With a term of the fourth power the estimate is off, by less than its uncertainty; finer meshes make both
+// smaller.
 TEST(Estimate, uncertaintyHoldsTheError) {
     for (const int sizes : {2, 3}) {
         double last = 1;
@@ -39,7 +44,8 @@ TEST(Estimate, uncertaintyHoldsTheError) {
             Study study{{0, 1}, {}};
             for (int k = sizes - 1; k >= 0; --k) {
                 const double size = h * (1 << k) / (1 << (sizes - 2));
-                const double n = 0.2 * size * size - 0.02 * std::pow(size, 4), e = 0.1 * size * size + 0.01 * std::pow(size, 4);
+                const double n = 0.2 * size * size - 0.02 * std::pow(size, 4),
+                             e = 0.1 * size * size + 0.01 * std::pow(size, 4);
                 study.twins.push_back({size, {0, 1 + n}, {0, 1 - e}});
             }
             const Estimate e = of(study);

@@ -10,8 +10,10 @@ namespace {
 using Histories = test::Folder;
 
 TEST_F(Histories, vectorOfOneProbeOverTwoStarts) {
-    put("postProcessing/tip/0/D", "# Probe 0 (1 2 0)\n#       Probe  0\n#   Time\n 0 (0 0 0)\n 0.1 (1e-3 2 0)\n 0.2 (9 9 0)\n");
-    put("postProcessing/tip/0.2/D", "#  Time\n 0.2 (2e-3 -3 0)\n 0.3 (4e-3 -4 0)\n 0.4 (5e-3 -");  // half a line: a run goes on
+    put("postProcessing/tip/0/D",
+        "# Probe 0 (1 2 0)\n#       Probe  0\n#   Time\n 0 (0 0 0)\n 0.1 (1e-3 2 0)\n 0.2 (9 9 0)\n");
+    put("postProcessing/tip/0.2/D",
+        "#  Time\n 0.2 (2e-3 -3 0)\n 0.3 (4e-3 -4 0)\n 0.4 (5e-3 -");  // half a line: a run goes on
     const auto found = readHistories(root, "tip", "D");
     ASSERT_EQ(found.size(), 3u);
     EXPECT_EQ(found[0].name, "D_x");
@@ -22,7 +24,8 @@ TEST_F(Histories, vectorOfOneProbeOverTwoStarts) {
 }
 
 TEST_F(Histories, scalarsOfTwoProbesOneDry) {
-    put("postProcessing/sensors/0/p", "# Probe 0 (0 0 0)\n# Probe 1 (0 1 0)\n#  Time\n 0 5 -1e+300\n 1 6 7\n");
+    put("postProcessing/sensors/0/p",
+        "# Probe 0 (0 0 0)\n# Probe 1 (0 1 0)\n#  Time\n 0 5 -1e+300\n 1 6 7\n");
     const auto found = readHistories(root, "sensors", "p");
     ASSERT_EQ(found.size(), 2u);
     EXPECT_EQ(found[1].name, "1_p");

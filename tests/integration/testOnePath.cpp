@@ -1,4 +1,5 @@
-// Nodal and elemental integration are one code path: nothing outside of src/integration asks which of them it is.
+// Nodal and elemental integration are one code path: nothing outside of src/integration asks which of them it
+// is.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +22,8 @@ TEST(OnePath, onlyIntegrationTellsTheSchemesApart) {
                           text.find("Integration::elemental") != std::string::npos;
         const bool isPlace = path.find("/src/integration/") != std::string::npos;
         inside += isPlace && asks;
-        if (isPlace || path.ends_with("/momentum/controls.hpp")) continue;  // there the user's word becomes a scheme
+        if (isPlace || path.ends_with("/momentum/controls.hpp"))
+            continue;  // there the user's word becomes a scheme
         EXPECT_FALSE(asks) << path;
     }
     EXPECT_GT(files, 100);
