@@ -4,6 +4,7 @@
 
 #include "remesh/penetration.hpp"
 #include "remesh/wallContact.hpp"
+#include "solver/invariants.hpp"
 
 namespace pfem {
 
@@ -40,21 +41,57 @@ double fluidDensity(const Problem<Dim>& problem) {
     return rho;
 }
 
-/// The step with its repetitions.
+/// The state after a step of report.dt with its new connectivity. Throws FailedStep when it cannot be accepted.
 template <int Dim>
-StepResult<Dim> stepWithRetries(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state,
-                                const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints, double dt,
-                                double divTarget, AdvanceReport& report) {
-    const auto& limits = controls.convergence;
-    for (report.dt = dt;; report.dt *= 0.5) {
-        try {
-            return fsiStep<Dim>(problem, controls, state.mesh, topology, constraints, state.nodes, report.dt, divTarget);
-        } catch (const StepFailure& failure) {
-            ++report.rejected;
-            report.reasons.push_back(failure.what());
-            if (report.rejected > limits.maxHalvings || 0.5 * report.dt < limits.deltaTMin) throw;
-        }
+State<Dim> attempt(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& last,
+                   AdvanceReport& report) {
+    State<Dim> state = last;
+    report.mesh = {};
+    const double start = now();
+    const auto& kinds = problem.conditions.kind;
+    const auto topology = makeTopology<Dim>(state.mesh, kinds, state.nodes.wall);
+    const auto constraints = nodeConstraints<Dim>(state.mesh, problem.conditions, topology, state.nodes);
+    obeyConstraints<Dim>(constraints, state.nodes);
+
+    const double volume = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes);
+    const double divTarget = volumeCorrection<Dim>(state, controls.continuity.volumeCorrectionTime, report.dt);
+    auto result = fsiStep<Dim>(problem, controls, state.mesh, topology, constraints, state.nodes, report.dt, divTarget);
+    report.step = result.report;
+    const std::vector<int> wallsOld = state.nodes.wall;
+    const Points<Dim> xOld = std::move(state.nodes.x);
+    state.nodes = std::move(result.nodes);
+    state.mesh.solid.sigma = std::move(result.cellSigma);
+
+    const double moved = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes);
+    const double correction = divTarget * volume * report.dt;
+    state.ledger["correction"] += correction;
+    state.ledger["solver"] += moved - volume - correction;
+    const double stepped = now();
+    report.seconds[0] += stepped - start;
+
+    try {
+        releaseFromWalls<Dim>(controls.remeshing, topology, problem.gravity, fluidDensity<Dim>(problem), state.nodes);
+        state.ledger["released"] += cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes) - moved;
+        landOnWalls<Dim>(controls.remeshing, topology, xOld, state);
+        report.returned = returnPenetrating<Dim>(topology, controls.remeshing.wallDistance, state);
+        const auto& cells = state.mesh.fluid.nodes;
+        const bool wallsChanged = wallsOld != state.nodes.wall || report.returned > 0;
+        if (wallsChanged || isDistorted(controls.remeshing.distortion, state.nodes.x, cells))
+            report.mesh = remesh<Dim>(controls.remeshing, kinds,
+                                      wallsOld == state.nodes.wall
+                                          ? topology
+                                          : makeTopology<Dim>(state.mesh, kinds, state.nodes.wall),
+                                      report.dt, state);
+    } catch (const StepFailure& failure) {  // the new mesh is unfinished
+        throw FailedStep<Dim>(failure, withNodesOf<Dim>(last, state.nodes));
     }
+    try {
+        checkInvariants<Dim>(controls.convergence, topology, last, state);
+    } catch (const StepFailure& failure) {
+        throw FailedStep<Dim>(failure, std::move(state));
+    }
+    report.seconds[1] += now() - stepped;
+    return state;
 }
 
 }  // namespace
@@ -73,43 +110,19 @@ std::pair<double, double> courantRate(const State<Dim>& state) {
 template <int Dim>
 AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, State<Dim>& last, double dt) {
     AdvanceReport report;
-    State<Dim> state = last;  // whatever fails below, the last good state stays
-    const double start = now();
-    const auto& kinds = problem.conditions.kind;
-    const auto topology = makeTopology<Dim>(state.mesh, kinds, state.nodes.wall);
-    const auto constraints = nodeConstraints<Dim>(state.mesh, problem.conditions, topology, state.nodes);
-    obeyConstraints<Dim>(constraints, state.nodes);
-
-    const double volume = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes);
-    const double divTarget = volumeCorrection<Dim>(state, controls.continuity.volumeCorrectionTime, dt);
-    auto result = stepWithRetries<Dim>(problem, controls, state, topology, constraints, dt, divTarget, report);
-    report.step = result.report;
-    const std::vector<int> wallsOld = state.nodes.wall;
-    const Points<Dim> xOld = std::move(state.nodes.x);
-    state.nodes = std::move(result.nodes);
-    state.mesh.solid.sigma = std::move(result.cellSigma);
-
-    const double moved = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes);
-    const double correction = divTarget * volume * report.dt;
-    state.ledger["correction"] += correction;
-    state.ledger["solver"] += moved - volume - correction;
-    report.seconds[0] = now() - start;
-
-    releaseFromWalls<Dim>(controls.remeshing, topology, problem.gravity, fluidDensity<Dim>(problem), state.nodes);
-    state.ledger["released"] += cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes) - moved;
-    landOnWalls<Dim>(controls.remeshing, topology, xOld, state);
-    report.returned = returnPenetrating<Dim>(topology, controls.remeshing.wallDistance, state);
-    const auto& cells = state.mesh.fluid.nodes;
-    const bool wallsChanged = wallsOld != state.nodes.wall || report.returned > 0;
-    if (wallsChanged || isDistorted(controls.remeshing.distortion, state.nodes.x, cells))
-        report.mesh = remesh<Dim>(controls.remeshing, kinds,
-                                  wallsOld == state.nodes.wall
-                                      ? topology
-                                      : makeTopology<Dim>(state.mesh, kinds, state.nodes.wall),
-                                  report.dt, state);
-    report.seconds[1] = now() - start - report.seconds[0];
-    last = std::move(state);
-    return report;
+    const auto& limits = controls.convergence;
+    checkSpeed<Dim>(limits, last.nodes);
+    for (report.dt = dt;; report.dt *= 0.5) {
+        try {
+            State<Dim> next = attempt<Dim>(problem, controls, last, report);
+            last = std::move(next);
+            return report;
+        } catch (const StepFailure& failure) {  // `last` stays as it was
+            ++report.rejected;
+            report.reasons.push_back(failure.what());
+            if (report.rejected > limits.maxHalvings || 0.5 * report.dt < limits.deltaTMin) throw;
+        }
+    }
 }
 
 template <int Dim>
