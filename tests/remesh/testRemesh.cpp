@@ -68,6 +68,33 @@ TEST(Remesh, calmMotionKeepsTheVolume) {
     EXPECT_NEAR(areaOf(c.state), area, 1e-13);
 }
 
+// Stress that solid cells carry stays with them, bit for bit, while the fluid around loses and gains nodes.
+TEST(Remesh, historyOfSolidCells) {
+    TestCase c = divided();
+    auto& solid = c.state.mesh.solid;
+    const auto corners = [&] {  // by ids, for indices change
+        std::vector<std::array<Id, 3>> ids;
+        for (const auto& s : solid.nodes) ids.push_back({c.state.nodes.id[s[0]], c.state.nodes.id[s[1]], c.state.nodes.id[s[2]]});
+        return ids;
+    };
+    for (int e = 0; e < solid.size(); ++e) solid.sigma.push_back(Stress<2>(e + 0.1, -e, 0.3 * e, 1.0 / (e + 1)));
+    const auto stress = solid.sigma;
+    const auto material = solid.material;
+    const auto before = corners();
+    // squeeze the left water to a part of its width, pull the right one up
+    for (int i = 0; i < c.state.nodes.size(); ++i) {
+        auto& x = c.state.nodes.x[i];
+        if (x[0] < 0.39) x = Vec<2>(0.4 - 0.4 * (0.4 - x[0]), x[1]);
+        if (x[0] > 0.45) x[1] *= 2.2;
+    }
+    const auto report = remesh<2>(c.controls.remeshing, c.kinds(), c.state);
+    EXPECT_GT(report.removed, 0);
+    EXPECT_GT(report.inserted, 0);
+    EXPECT_EQ(corners(), before);
+    EXPECT_EQ(solid.sigma, stress);
+    EXPECT_EQ(solid.material, material);
+}
+
 TEST(Remesh, noCellCrossesAThinSolidOrAWall) {
     TestCase c = divided();
     // a wavy solid and agitated water on both sides

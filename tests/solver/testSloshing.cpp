@@ -102,6 +102,15 @@ TEST(Sloshing, elementalFluid) {
     EXPECT_LT(r.late, 0.0105);
 }
 
+// The same at h = 0.02 over 5 s: set PFEM_LONG_TESTS
+TEST(Sloshing, elementalFluidFiner) {
+    if (!std::getenv("PFEM_LONG_TESTS")) GTEST_SKIP() << "set PFEM_LONG_TESTS";
+    const auto r = run(0.02, 5e-3, 5, 0, "elemental");
+    EXPECT_NEAR(r.period, 1.1818, 0.01 * 1.1818);
+    EXPECT_LT(r.drift, 2e-3);
+    EXPECT_EQ(r.rejected, 0);
+}
+
 TEST(Sloshing, volumeCorrectionHoldsTheVolume) {
     const auto r = run(0.04, 0.01, 2.5, 0.05);
     EXPECT_NEAR(r.period, 1.1818, 0.01 * 1.1818);

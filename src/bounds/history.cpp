@@ -1,0 +1,148 @@
+#include "bounds/history.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <sstream>
+
+#include "base/error.hpp"
+#include "case/timeFolders.hpp"
+#include "io/atomicFile.hpp"
+
+namespace pfem {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The folders of a function, ascending by their start times.
+std::vector<TimeFolder> startFolders(const fs::path& root, const std::string& function) {
+    std::vector<TimeFolder> starts;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(root / "postProcessing" / function, error)) {
+        const std::string name = entry.path().filename().string();
+        if (const auto value = asNumber(name)) starts.push_back({name, *value});
+    }
+    std::sort(starts.begin(), starts.end(),
+              [](const TimeFolder& a, const TimeFolder& b) { return a.value < b.value; });
+    return starts;
+}
+
+/// The rows of one table file: the numbers of each column, brackets joining those of a vector.
+struct Rows {
+    bool probes = false;  // "# Probe 0 (x y z)"
+    std::vector<std::string> titles;
+    std::vector<std::vector<std::vector<double>>> columns;  // [row][column][component]
+};
+
+std::vector<std::vector<double>> parseRow(std::string line, const fs::path& file, int number) {
+    std::vector<std::vector<double>> row;
+    bool inside = false;
+    for (const char* bracket : {"(", ")"})
+        for (std::size_t at = 0; (at = line.find(bracket, at)) != std::string::npos; at += 3)
+            line.replace(at, 1, std::string(" ") + bracket + " ");
+    std::istringstream stream(line);
+    for (std::string word; stream >> word;) {
+        if (word == "(") row.emplace_back();
+        if (word == "(" || word == ")") {
+            inside = word == "(";
+            continue;
+        }
+        const auto value = asNumber(word);
+        if (!value) throw UserError("'" + word + "' is not a number", {file.string(), number});
+        if (!inside) row.emplace_back();
+        row.back().push_back(*value > -1e299 ? *value : std::numeric_limits<double>::quiet_NaN());
+    }
+    return row;
+}
+
+Rows readRows(const fs::path& file) {
+    Rows rows;
+    std::istringstream text(readText(file));
+    int number = 0;
+    for (std::string line; std::getline(text, line);) {
+        ++number;
+        std::string word;
+        const auto begin = line.find_first_not_of(" \t\r");
+        if (begin == std::string::npos) continue;
+        if (line[begin] != '#') {
+            if (text.eof()) break;  // a run that goes on, or was killed, may leave half a line
+            rows.columns.push_back(parseRow(line, file, number));
+            continue;
+        }
+        std::istringstream comment(line.substr(line.find('#') + 1));
+        rows.titles.clear();
+        while (comment >> word) rows.titles.push_back(word);
+        rows.probes = rows.probes || (!rows.titles.empty() && rows.titles[0] == "Probe");
+    }
+    return rows;
+}
+
+std::vector<std::string> components(std::size_t n) {
+    if (n == 1) return {""};
+    if (n == 3) return {"_x", "_y", "_z"};
+    if (n == 6) return {"_xx", "_xy", "_xz", "_yy", "_yz", "_zz"};
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < n; ++i) names.push_back(fmt::format("_{}", i));
+    return names;
+}
+
+std::vector<History> emptyHistories(const Rows& rows, const std::string& file) {
+    std::vector<History> histories;
+    const auto& first = rows.columns.front();
+    for (std::size_t c = 1; c < first.size(); ++c) {
+        std::string name = c < rows.titles.size() ? rows.titles[c] : fmt::format("{}_{}", file, c);
+        if (rows.probes) name = first.size() > 2 ? fmt::format("{}_{}", c - 1, file) : file;
+        for (const auto& component : components(first[c].size())) histories.push_back({name + component, {}});
+    }
+    return histories;
+}
+
+}  // namespace
+
+std::vector<History> readHistories(const fs::path& root, const std::string& function,
+                                   const std::string& file) {
+    std::vector<History> histories;
+    const fs::path place = root / "postProcessing" / function;
+    for (const auto& start : startFolders(root, function)) {
+        if (!fs::exists(place / start.name / file)) continue;
+        const Rows rows = readRows(place / start.name / file);
+        if (rows.columns.empty()) continue;
+        if (histories.empty()) histories = emptyHistories(rows, file);
+        const double from = rows.columns.front()[0][0];
+        for (History& history : histories)  // what an earlier run has written from here on is no longer true
+            while (!history.curve.t.empty() && history.curve.t.back() >= from) {
+                history.curve.t.pop_back();
+                history.curve.y.pop_back();
+            }
+        for (const auto& row : rows.columns) {
+            std::size_t k = 0;
+            for (std::size_t c = 1; c < row.size(); ++c)
+                for (const double y : row[c])
+                    if (k < histories.size()) {
+                        histories[k].curve.t.push_back(row[0][0]);
+                        histories[k++].curve.y.push_back(y);
+                    }
+            for (; k < histories.size(); ++k) {  // a column that this run does not have
+                histories[k].curve.t.push_back(row[0][0]);
+                histories[k].curve.y.push_back(std::numeric_limits<double>::quiet_NaN());
+            }
+        }
+    }
+    if (histories.empty()) throw UserError(fmt::format("no rows in \"{}\"", (place / "*" / file).string()));
+    return histories;
+}
+
+std::vector<std::string> historyFiles(const fs::path& root, const std::string& function) {
+    std::set<std::string> files;
+    for (const auto& start : startFolders(root, function))
+        for (const auto& entry : fs::directory_iterator(root / "postProcessing" / function / start.name))
+            if (entry.is_regular_file()) files.insert(entry.path().filename().string());
+    if (files.empty())
+        throw UserError(fmt::format("no tables in \"{}\"", (root / "postProcessing" / function).string()));
+    return {files.begin(), files.end()};
+}
+
+}  // namespace pfem
