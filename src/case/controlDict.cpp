@@ -10,6 +10,8 @@ ControlDict readControlDict(const Dictionary& dict) {
     } catch (const UserError& error) {
         dict.fatal("writeInterval", error.what());
     }
+    if (controls.endTime / controls.deltaT > 1e12)
+        dict.fatal("deltaT", "'deltaT' is so small that endTime would take more than 1e12 steps");
     dict.found("libs");  // accepted and ignored
     dict.subDictOrEmpty("functions");
     return controls;

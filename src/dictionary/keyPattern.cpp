@@ -17,10 +17,12 @@ struct KeyPattern::Compiled {
 
 namespace {
 
-/// Nested repeats such as ((a{255}){255}){255} make regcomp take all memory.
+/// Nested repeats such as ((a{255}){255}){255}, or a++++++++++++++++++++ (x+ is compiled as xx*), make regcomp take all
+/// memory.
 bool tooCostly(const std::string& expression) {
     double cost = static_cast<double>(expression.size());
     for (std::size_t i = 0; i < expression.size(); ++i) {
+        if (expression[i] == '+' && i > 0 && std::string("+*?})").find(expression[i - 1]) != std::string::npos) cost *= 2;
         if (expression[i] != '{') continue;
         const auto close = std::min(expression.find('}', i), expression.size());
         double largest = 1;

@@ -1,10 +1,12 @@
 #include "io/gridFile.hpp"
 
+#include <vtkCellArray.h>
 #include <vtkCommand.h>
 #include <vtkErrorCode.h>
 #include <vtkLogger.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkXMLUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
@@ -119,7 +121,13 @@ vtkSmartPointer<vtkUnstructuredGrid> readGrid(const std::filesystem::path& file)
     if (!errors.message().empty() || reader->GetErrorCode() != vtkErrorCode::NoError ||
         reader->GetOutput() == nullptr || reader->GetOutput()->GetPoints() == nullptr)
         fail("cannot read", file, "truncated, corrupt or not a file of this toolkit");
-    return reader->GetOutput();
+    vtkUnstructuredGrid* grid = reader->GetOutput();
+    if (vtkCellArray* cells = grid->GetCells(); cells != nullptr)
+        if (!cells->IsValid() || cells->GetNumberOfCells() != grid->GetNumberOfCells() ||
+            (grid->GetNumberOfCells() > 0 && (grid->GetCellTypesArray() == nullptr ||
+                                              grid->GetCellTypesArray()->GetNumberOfValues() != grid->GetNumberOfCells())))
+            fail("cannot read", file, "its cells contradict each other");
+    return grid;
 }
 
 }  // namespace pfem

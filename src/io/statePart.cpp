@@ -11,6 +11,7 @@
 
 #include "io/atomicFile.hpp"
 #include "io/gridArrays.hpp"
+#include "io/gridCheck.hpp"
 #include "io/gridFile.hpp"
 #include "io/stateGrid.hpp"
 
@@ -96,8 +97,9 @@ void readCells(vtkUnstructuredGrid* grid, Part<Dim>& part) {
     }
 }
 
-/// VTK's reader dies of some damaged files (a division by zero in its decompression), so that a file is
-/// trusted only when its checksum is right. The word `none` in uniform/time leaves the check out.
+/// VTK's reader dies of some damaged files (a division by zero in its decompression, unknown types), so that a file is
+/// trusted only when its checksum is right and what it says of itself makes sense. The word `none` in uniform/time
+/// leaves the checksum out.
 void checkSum(const std::filesystem::path& file, const std::string& name, const UniformTime& uniform) {
     const auto sum = uniform.checksums.find(name);
     const std::string text = readText(file);
@@ -108,6 +110,8 @@ void checkSum(const std::filesystem::path& file, const std::string& name, const 
         throw UserError(
             "cannot read \"" + file.string() + "\": truncated or corrupt (not the checksum in uniform/time)",
             {file.string(), 0});
+    if (const std::string damage = damageOf(text); !damage.empty())
+        throw UserError("cannot read \"" + file.string() + "\": truncated or corrupt (" + damage + ")", {file.string(), 0});
 }
 
 }  // namespace

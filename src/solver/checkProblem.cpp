@@ -1,6 +1,10 @@
 #include "solver/checkProblem.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "dictionary/flatEntries.hpp"
 
 namespace pfem {
 
@@ -74,6 +78,39 @@ void checkConditions(const Dictionary& dict, const BoundaryConditions<Dim>& cond
     }
 }
 
+template <int Dim>
+std::vector<std::string> doubts(const Dictionary& materials, const Dictionary& gravity, const Dictionary& conditions,
+                                const Problem<Dim>& problem, const State<Dim>& state) {
+    std::vector<std::string> found;
+    const auto doubt = [&](const Dictionary& dict, const std::string& key, const std::string& text) {
+        const Location at = dict.where(key);
+        found.push_back(fmt::format("entry '{}' in {}:{}: {}", key, at.file, at.line, text));
+    };
+    const double g = problem.gravity.norm();
+    bool driven = g > 0;
+    Vec<Dim> low = Vec<Dim>::Zero(), high = low;
+    for (int i = 0; i < state.nodes.size(); ++i) {
+        driven = driven || state.nodes.v[i].norm() > 0 || state.nodes.sigma[i].norm() > 0;
+        low = i == 0 ? state.nodes.x[i] : Vec<Dim>(low.cwiseMin(state.nodes.x[i]));
+        high = i == 0 ? state.nodes.x[i] : Vec<Dim>(high.cwiseMax(state.nodes.x[i]));
+    }
+    for (const auto& traction : problem.conditions.traction) driven = driven || traction.norm() > 0;
+    for (const auto& [entry, value] : flatEntries(conditions)) driven = driven || entry.find(".motion") != std::string::npos;
+    if (!driven) doubt(gravity, "value", "nothing will move: gravity and all velocities are zero, and there is no load");
+    if (g > 1000) doubt(gravity, "value", fmt::format("gravity of {:g} m/s2 is a hundred times that of the earth", g));
+    for (const auto& material : problem.materials) {
+        const double depth = (high - low).norm();
+        if (material.kind == MaterialKind::fluid && material.fluid.rho * g * depth > 0.1 * material.fluid.kappa)
+            doubt(materials.subDict(material.name), "kappa",
+                  fmt::format("under its own weight ({:.3g} m deep) this fluid loses more than a tenth of its volume", depth));
+        if (material.kind == MaterialKind::solid && material.solid.rho * g * depth > 10 * material.solid.E)
+            doubt(materials.subDict(material.name), "E", "this solid is crushed by its own weight");
+    }
+    return found;
+}
+
+template std::vector<std::string> doubts<2>(const Dictionary&, const Dictionary&, const Dictionary&, const Problem<2>&,
+                                            const State<2>&);
 template void checkOneFluid<2>(const Dictionary&, const Mesh<2>&);
 template void checkConditions<2>(const Dictionary&, const BoundaryConditions<2>&, const State<2>&);
 

@@ -1,6 +1,9 @@
 #pragma once
 // What a case must not ask for although each of its words is valid.
 
+#include <string>
+#include <vector>
+
 #include "dictionary/dictionary.hpp"
 #include "state/problem.hpp"
 
@@ -14,5 +17,11 @@ void checkOneFluid(const Dictionary& materials, const Mesh<Dim>& mesh);
 /// noSlip, an edge of a solid must not; only edges of solids can be clamped or carry a traction.
 template <int Dim>
 void checkConditions(const Dictionary& dict, const BoundaryConditions<Dim>& conditions, const State<Dim>& state);
+
+/// Sentences about numbers that can be computed but hardly be meant, each naming its entry with file and line: nothing
+/// drives the case (no gravity, velocity, load or motion), gravity or weight of the fluid out of proportion.
+template <int Dim>
+std::vector<std::string> doubts(const Dictionary& materials, const Dictionary& gravity, const Dictionary& conditions,
+                                const Problem<Dim>& problem, const State<Dim>& state);
 
 }  // namespace pfem

@@ -59,6 +59,9 @@ Problem<Dim> readProblem(const Case& theCase, const State<Dim>& state, std::ostr
     checkConditions<Dim>(conditions, problem.conditions, state);
     for (const auto* dict : {&materials, &g, &conditions})
         if (warnings) warnUnused(*dict, *warnings);
+    if (warnings && state.time.index == 0)
+        for (const auto& text : doubts<Dim>(materials, g, conditions, problem, state))
+            *warnings << "--> PFEM Warning: " << text << "\n";
     return problem;
 }
 

@@ -68,6 +68,16 @@ TEST(Errors, unendedTexts) {
     expectError("(1 2 3)", 1, "A keyword is expected, found punctuation '('");
 }
 
+TEST(Errors, patternsThatWouldTakeAllMemory) {
+    expectError("x 1;\n\"a" + std::string(40, '+') + "\" 1;", 2, "is too large");
+    expectError("x 1;\n\"" + std::string(20, '(') + "a" + [] {
+        std::string text;
+        for (int i = 0; i < 20; ++i) text += ")+";
+        return text;
+    }() + "\" 1;", 2, "is too large");
+    EXPECT_EQ(Dictionary::parse("\"(a+)+b+c+d+.+\" 3;").get<int>("aabcdx"), 3);
+}
+
 TEST(Errors, types) {
     expectError("a 1;\nb abc;", 2, "Wrong token type - expected scalar value, found on line 2: word 'abc'",
                 get<double>("b"));

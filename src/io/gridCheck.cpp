@@ -1,0 +1,101 @@
+#include "io/gridCheck.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <vector>
+
+namespace pfem {
+
+namespace {
+
+const std::string expectedStart = "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+                                  "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">";
+const std::vector<std::string> elements = {
+    "VTKFile", "UnstructuredGrid", "FieldData", "DataArray", "Array", "Piece", "PointData", "CellData", "Points", "Cells",
+    "InformationKey", "Value", "/VTKFile", "/UnstructuredGrid", "/FieldData", "/DataArray", "/Array", "/Piece", "/PointData",
+    "/CellData", "/Points", "/Cells", "/InformationKey", "/Value"};
+const std::vector<std::string> types = {"Float64", "Float32", "Int64", "Int32", "UInt8", "String"};
+
+bool isOneOf(const std::string& word, const std::vector<std::string>& words) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+constexpr std::uint64_t densest = 1032;  // zlib makes at most this many bytes of one
+
+/// The value of attribute `name` in the tag that begins at `tag`, or nothing.
+std::optional<std::string> attribute(const std::string& tag, const std::string& name) {
+    const auto at = tag.find(" " + name + "=\"");
+    if (at == std::string::npos) return {};
+    const auto begin = at + name.size() + 3, end = tag.find('"', begin);
+    if (end == std::string::npos) return {};
+    return tag.substr(begin, end - begin);
+}
+
+/// A whole number without sign, blanks around it allowed (the writer pads), or nothing.
+std::optional<std::uint64_t> wholeNumber(std::string text) {
+    while (!text.empty() && text.back() == ' ') text.pop_back();
+    while (!text.empty() && text.front() == ' ') text.erase(0, 1);
+    if (text.empty() || text.size() > 18 || text.find_first_not_of("0123456789") != std::string::npos) return {};
+    return std::stoull(text);
+}
+
+std::uint64_t wordAt(const char* bytes) {  // little endian, as this machine's
+    std::uint64_t value;
+    std::memcpy(&value, bytes, sizeof value);
+    return value;
+}
+
+/// One array's data: number of blocks, size of a block and of the last one before compression, compressed sizes.
+std::string damageOfBlocks(const std::string& file, std::uint64_t begin) {
+    if (begin > file.size() || file.size() - begin < 8) return "an array begins behind the end of the file";
+    const std::uint64_t room = (file.size() - begin) / 8, blocks = wordAt(&file[begin]);
+    if (blocks == 0) return "";
+    if (room < 3 || blocks > room - 3) return "an array has more blocks than the file can hold";
+    const std::uint64_t size = wordAt(&file[begin + 8]), last = wordAt(&file[begin + 16]);
+    if (size == 0 || last > size) return "an array has blocks of a wrong size";
+    std::uint64_t left = file.size() - begin - 8 * (3 + blocks);
+    for (std::uint64_t k = 0; k < blocks; ++k) {
+        const std::uint64_t compressed = wordAt(&file[begin + 24 + 8 * k]);
+        if (compressed > left) return "the file ends within an array";
+        left -= compressed;
+        const std::uint64_t whole = k + 1 == blocks && last > 0 ? last : size;
+        if (whole / densest > compressed) return "an array has blocks of a wrong size";
+    }
+    return "";
+}
+
+}  // namespace
+
+std::string damageOf(const std::string& file) {
+    const auto appended = file.find("<AppendedData encoding=\"raw\">");
+    if (appended == std::string::npos || file.rfind(expectedStart, 0) != 0) return "not a file of this toolkit";
+    const auto base = file.find('_', appended);
+    if (base == std::string::npos) return "its data are missing";
+    const std::uint64_t most = densest * file.size();
+    for (auto begin = file.find('<'); begin < appended; begin = file.find('<', begin + 1)) {
+        const auto end = file.find('>', begin);
+        if (end == std::string::npos || end > appended + 40) return "its head is not complete";
+        std::string tag = file.substr(begin, end - begin);
+        if (tag.ends_with("/")) tag.back() = ' ';
+        const std::string name = tag.substr(1, tag.find_first_of(" \n\t", 1) - 1);
+        if (!isOneOf(name, elements)) return "unknown element";
+        if (const auto type = attribute(tag, "type"); name.ends_with("Array") && (!type || !isOneOf(*type, types)))
+            return "unknown type of an array";
+        for (const char* count : {"NumberOfPoints", "NumberOfCells", "NumberOfTuples", "NumberOfComponents"})
+            if (const auto text = attribute(tag, count)) {
+                const auto number = wholeNumber(*text);
+                if (!number || *number > most) return fmt::format("{} is '{}'", count, *text);
+            }
+        if (attribute(tag, "format") != "appended") continue;
+        const auto offset = wholeNumber(attribute(tag, "offset").value_or(""));
+        if (!offset || *offset > file.size()) return "an array has no place in the file";
+        if (const auto damage = damageOfBlocks(file, base + 1 + *offset); !damage.empty()) return damage;
+    }
+    return "";
+}
+
+}  // namespace pfem
