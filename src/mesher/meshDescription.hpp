@@ -48,7 +48,9 @@ struct Body : Outline {
     std::map<std::string, std::vector<std::array<int, 2>>> patches;  // name -> edges as pairs of vertices
 };
 
-struct Wall : Outline {};
+struct Wall : Outline {
+    bool moving = false;  // it shares no node with other walls, so that it can leave them
+};
 
 struct MeshDescription {
     double meshSize = 0;  // default target edge length [m]

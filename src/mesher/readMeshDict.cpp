@@ -94,6 +94,7 @@ MeshDescription readMeshDict(const Dictionary& dict, const std::vector<std::stri
         Wall wall;
         readOutline(wallDict, "points", wall);
         wall.closed = wallDict.get("closed", false);
+        wall.moving = wallDict.get("moving", false);
         mesh.walls.push_back(wall);
     }
     return mesh;

@@ -74,7 +74,6 @@ void addWallChain(const State<2>& state, const Face<2>& corners, const std::vect
     std::sort(order.begin(), order.end());
     int last = corners[0];
     for (const auto& [s, node] : order) {
-        if (state.nodes.x[node] == state.nodes.x[last]) continue;  // coincident nodes are one for the triangulation
         faces.push_back({last, node});
         last = node;
     }

@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "mesh/standing.hpp"
 #include "remesh/penetration.hpp"
 #include "remesh/wallContact.hpp"
 
@@ -23,12 +24,20 @@ double volumeCorrection(const State<Dim>& state, double time, double dt) {
     return volume > 0 ? -change / (volume * std::max(time, dt)) : 0;
 }
 
-/// Velocities and accelerations that the constraints allow.
+/// Constraints over the step of length dt that begins now.
+template <int Dim>
+NodeConstraints<Dim> constraintsOver(double dt, const Problem<Dim>& problem, const State<Dim>& state,
+                                     const Topology<Dim>& topology) {
+    const double now = state.time.value;
+    return nodeConstraints<Dim>(state.mesh, problem.conditions, topology, state.nodes, now, now + dt);
+}
+
+/// Velocities and accelerations that the constraints of this instant allow.
 template <int Dim>
 void obeyConstraints(const NodeConstraints<Dim>& constraints, Nodes<Dim>& nodes) {
     for (int i = 0; i < nodes.size(); ++i) {
-        nodes.v[i] = constraints.project(i, nodes.v[i]);
-        nodes.a[i] = constraints.project(i, nodes.a[i]);
+        nodes.v[i] = constraints.velocity(i, nodes.x[i], nodes.v[i]);
+        if (!constraints.isMoved(i)) nodes.a[i] = constraints.project(i, nodes.a[i]);
     }
 }
 
@@ -43,18 +52,25 @@ double fluidDensity(const Problem<Dim>& problem) {
 /// The step with its repetitions.
 template <int Dim>
 StepResult<Dim> stepWithRetries(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state,
-                                const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints, double dt,
-                                double divTarget, AdvanceReport& report) {
+                                const Topology<Dim>& topology, double dt, double divTarget, AdvanceReport& report) {
     const auto& limits = controls.convergence;
     for (report.dt = dt;; report.dt *= 0.5) {
         try {
-            return fsiStep<Dim>(problem, controls, state.mesh, topology, constraints, state.nodes, report.dt, divTarget);
+            return fsiStep<Dim>(problem, controls, state.mesh, topology,
+                                constraintsOver<Dim>(report.dt, problem, state, topology), state.nodes, report.dt,
+                                divTarget);
         } catch (const StepFailure& failure) {
             ++report.rejected;
             report.reasons.push_back(failure.what());
             if (report.rejected > limits.maxHalvings || 0.5 * report.dt < limits.deltaTMin) throw;
         }
     }
+}
+
+std::vector<bool> wallPatches(const std::vector<PatchKind>& kinds) {
+    std::vector<bool> walls;
+    for (const PatchKind kind : kinds) walls.push_back(isWall(kind));
+    return walls;
 }
 
 }  // namespace
@@ -77,12 +93,11 @@ AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Sta
     const double start = now();
     const auto& kinds = problem.conditions.kind;
     const auto topology = makeTopology<Dim>(state.mesh, kinds, state.nodes.wall);
-    const auto constraints = nodeConstraints<Dim>(state.mesh, problem.conditions, topology, state.nodes);
-    obeyConstraints<Dim>(constraints, state.nodes);
+    obeyConstraints<Dim>(constraintsOver<Dim>(0, problem, state, topology), state.nodes);
 
     const double volume = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes);
     const double divTarget = volumeCorrection<Dim>(state, controls.continuity.volumeCorrectionTime, dt);
-    auto result = stepWithRetries<Dim>(problem, controls, state, topology, constraints, dt, divTarget, report);
+    auto result = stepWithRetries<Dim>(problem, controls, state, topology, dt, divTarget, report);
     report.step = result.report;
     const std::vector<int> wallsOld = state.nodes.wall;
     const Points<Dim> xOld = std::move(state.nodes.x);
@@ -95,6 +110,7 @@ AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Sta
     state.ledger["solver"] += moved - volume - correction;
     report.seconds[0] = now() - start;
 
+    standOnWalls(state.mesh, wallPatches(kinds), state.nodes);
     releaseFromWalls<Dim>(controls.remeshing, topology, problem.gravity, fluidDensity<Dim>(problem), state.nodes);
     state.ledger["released"] += cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes) - moved;
     landOnWalls<Dim>(controls.remeshing, topology, xOld, state);
@@ -115,11 +131,11 @@ AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Sta
 template <int Dim>
 void startConsistently(const Problem<Dim>& problem, const Controls& controls, State<Dim>& state, double dt) {
     const auto topology = makeTopology<Dim>(state.mesh, problem.conditions.kind, state.nodes.wall);
-    const auto constraints = nodeConstraints<Dim>(state.mesh, problem.conditions, topology, state.nodes);
-    obeyConstraints<Dim>(constraints, state.nodes);
+    obeyConstraints<Dim>(constraintsOver<Dim>(0, problem, state, topology), state.nodes);
+    const double moment = 1e-3 * dt;
     try {
-        state.nodes =
-            consistentStart<Dim>(problem, controls, state.mesh, topology, constraints, state.nodes, dt);
+        state.nodes = consistentStart<Dim>(problem, controls, state.mesh, topology,
+                                           constraintsOver<Dim>(moment, problem, state, topology), state.nodes, moment);
     } catch (const StepFailure& failure) {
         throw StepFailure("The pressure at the start cannot be computed; are the physical constants, their units and "
                           "the factors in system/pfemSolution sound?\n" +

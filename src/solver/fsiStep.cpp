@@ -20,13 +20,13 @@ namespace pfem {
 namespace {
 
 /// Positions and accelerations that follow from the trial velocities (22). Isolated particles are in ballistic flight
-/// or slide down their wall.
+/// or slide down their wall. What follows a moving wall does so whatever the trial says.
 template <int Dim>
 void moveNodes(const Newmark& newmark, const NodeConstraints<Dim>& constraints, const Topology<Dim>& topology,
                const Vec<Dim>& gravity, const Nodes<Dim>& old, Nodes<Dim>& trial) {
     const double dt = newmark.dt;
     for (int i = 0; i < old.size(); ++i) {
-        if (constraints.hold[i] == Hold::fixed) continue;
+        if (constraints.hold[i] == Hold::fixed && !constraints.isMoved(i)) continue;
         const Vec<Dim> fall = constraints.project(i, gravity);
         if (topology.isolated(i)) {
             trial.v[i] = old.v[i] + dt * fall;
@@ -34,6 +34,10 @@ void moveNodes(const Newmark& newmark, const NodeConstraints<Dim>& constraints, 
         }
         trial.x[i] = newmark.position<Dim>(old.x[i], old.v[i], trial.v[i]);
         trial.a[i] = topology.isolated(i) ? fall : newmark.acceleration<Dim>(old.v[i], trial.v[i], old.a[i]);
+        if (!constraints.isMoved(i)) continue;
+        trial.x[i] = constraints.position(i, old.x[i], trial.x[i]);
+        trial.v[i] = constraints.velocity(i, trial.x[i], trial.v[i]);
+        trial.a[i] = constraints.combine(i, trial.a[i], (trial.v[i] - old.v[i]) / dt);  // no ringing after a jump
     }
 }
 
@@ -172,12 +176,11 @@ StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, c
 template <int Dim>
 Nodes<Dim> consistentStart(Problem<Dim> problem, Controls controls, const Mesh<Dim>& mesh,
                            const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,
-                           const Nodes<Dim>& nodes, double dt) {
+                           const Nodes<Dim>& nodes, double moment) {
     for (auto& material : problem.materials) material.fluid.kappa = 1e300;
     controls.timeIntegration.gamma = 1;
     controls.convergence.tolU = controls.convergence.tolP = 1e-11;
     controls.convergence.maxIterations = 300;
-    const double moment = 1e-3 * dt;
     const auto step = [&](const Nodes<Dim>& from) {
         return fsiStep<Dim>(problem, controls, mesh, topology, constraints, from, moment, 0).nodes;
     };

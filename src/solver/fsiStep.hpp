@@ -29,12 +29,12 @@ StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, c
                         const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,
                         const Nodes<Dim>& old, double dt, double divTarget);
 
-/// Pressure and acceleration at t = 0 that agree with the forces: one backward Euler step of vanishing length of the
-/// incompressible fluid, of which only p and a are kept. Initial velocities that walls and incompressibility do not
+/// Pressure and acceleration at t = 0 that agree with the forces: one backward Euler step of the vanishing length
+/// `moment` [s] of the incompressible fluid, of which only p and a are kept. Initial velocities that walls and incompressibility do not
 /// allow are made so by an impulse before.
 template <int Dim>
 Nodes<Dim> consistentStart(Problem<Dim> problem, Controls controls, const Mesh<Dim>& mesh,
                            const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,
-                           const Nodes<Dim>& nodes, double dt);
+                           const Nodes<Dim>& nodes, double moment);
 
 }  // namespace pfem
