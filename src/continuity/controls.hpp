@@ -33,7 +33,8 @@ struct ContinuityControls {
           "(the paper; then schurScale 1, freeSurfaceScale 4 and complianceScale 3 converge best)",
           oneOf({"inertia", "bodyForce"}));
         v("interfaceAcceleration", interfaceAcceleration, "-",
-          "with bodyForce: moving solids enter the stabilisation with their normal acceleration", any);
+          "with bodyForce: moving solids and walls enter the stabilisation with their normal acceleration",
+          any);
         v("volumeCorrectionTime", volumeCorrectionTime, "s",
           "time scale of the correction that returns the fluid's volume to its initial value; 0 = none",
           nonNegative);

@@ -65,7 +65,11 @@ std::vector<std::string> function1Types() {
 
 template <class T>
 T Function1<T>::derivative(double t) const {
-    const double step = 1e-5 * std::max(1.0, std::abs(t));
+    const double step = 1e-5 * std::max(1.0, std::sqrt(std::abs(t)));
+    if (t >= 0 && t < 2 * step) {  // formulas need not make sense before t = 0
+        const T first = -25 * value(t) + 48 * value(t + step) - 36 * value(t + 2 * step);
+        return (first + 16 * value(t + 3 * step) - 3 * value(t + 4 * step)) / (12 * step);
+    }
     const T near = value(t + step) - value(t - step), far = value(t + 2 * step) - value(t - 2 * step);
     return (8 * near - far) / (12 * step);
 }

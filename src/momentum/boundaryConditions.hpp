@@ -1,6 +1,7 @@
 #pragma once
 // What the patches mean for the momentum equation: constant/boundaryConditions.
 
+#include <algorithm>
 #include <vector>
 
 #include "dictionary/dictionary.hpp"
@@ -16,6 +17,10 @@ struct BoundaryConditions {
     std::vector<PatchKind> kind;
     std::vector<Vec<Dim>> traction;  // [Pa]; traction patches only
     std::vector<std::shared_ptr<const WallMotion>> motion;  // null: at rest; walls and clamped patches only
+
+    bool anyMotion() const {
+        return std::any_of(motion.begin(), motion.end(), [](const auto& m) { return m != nullptr; });
+    }
 };
 
 /// Read the condition of every patch. Throws UserError for a patch without entry, an entry without patch, and

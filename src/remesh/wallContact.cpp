@@ -21,16 +21,24 @@ struct Line {
     }
     double along(const Vec<2>& p) const { return tangent.dot(p - start); }
     double distance(const Vec<2>& p) const { return inward.dot(p - start); }
+    /// The values at the face's ends, interpolated.
+    Vec<2> between(double s, const Points<2>& value, const Face<2>& face) const {
+        return (1 - s / length) * value[face[0]] + s / length * value[face[1]];
+    }
 };
 
 /// Put node i on the wall face w at distance s from its start; there it moves along with the wall.
 void land(const Line& line, int w, double s, const Topology<2>& topology, Nodes<2>& nodes, int i) {
-    const auto [a, b] = topology.walls[w].nodes;
+    const Face<2>& face = topology.walls[w].nodes;
     s = std::clamp(s, 0.0, line.length);
-    const Vec<2> ofWall = (1 - s / line.length) * nodes.v[a] + s / line.length * nodes.v[b];
+    const auto alongWith = [&](const Vec<2>& own, const Vec<2>& ofWall) -> Vec<2> {
+        const Vec<2> along = line.tangent * line.tangent.dot(own);
+        const double normal = line.inward.dot(ofWall);
+        return normal == 0 ? along : Vec<2>(along + normal * line.inward);
+    };
     nodes.x[i] = line.start + s * line.tangent;
-    nodes.v[i] = line.tangent * line.tangent.dot(nodes.v[i]) + line.inward * line.inward.dot(ofWall);
-    nodes.a[i] = line.tangent * line.tangent.dot(nodes.a[i]);
+    nodes.v[i] = alongWith(nodes.v[i], line.between(s, nodes.v, face));
+    nodes.a[i] = alongWith(nodes.a[i], line.between(s, nodes.a, face));
     nodes.wall[i] = w;
 }
 
@@ -111,8 +119,10 @@ void releaseFromWalls<2>(const RemeshingControls& controls, const Topology<2>& t
                          double rho, Nodes<2>& nodes) {
     for (int i = 0; i < nodes.size(); ++i) {
         if (nodes.wall[i] < 0 || topology.corner[i]) continue;
-        const Line line(nodes.x, topology.walls[nodes.wall[i]].nodes);
-        const double scale = rho * (gravity.norm() * nodes.h[i] + 0.5 * nodes.v[i].squaredNorm());
+        const Face<2>& face = topology.walls[nodes.wall[i]].nodes;
+        const Line line(nodes.x, face);
+        const Vec<2> slip = nodes.v[i] - line.between(line.along(nodes.x[i]), nodes.v, face);
+        const double scale = rho * (gravity.norm() * nodes.h[i] + 0.5 * slip.squaredNorm());
         const bool pulledOff =  // the wall's acceleration is the normal part of a
             topology.isolated(i) && (gravity - nodes.a[i]).dot(line.inward) > 1e-9 * gravity.norm();
         if (!pulledOff && !(topology.freeSurface[i] && -nodes.p[i] > controls.wallTension * scale)) continue;

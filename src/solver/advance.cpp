@@ -24,12 +24,12 @@ double volumeCorrection(const State<Dim>& state, double time, double dt) {
     return volume > 0 ? -change / (volume * std::max(time, dt)) : 0;
 }
 
-/// Constraints over the step of length dt that begins now.
+/// Constraints between two times [s] counted from the state's.
 template <int Dim>
-NodeConstraints<Dim> constraintsOver(double dt, const Problem<Dim>& problem, const State<Dim>& state,
-                                     const Topology<Dim>& topology) {
+NodeConstraints<Dim> constraintsOver(double from, double to, const Problem<Dim>& problem,
+                                     const State<Dim>& state, const Topology<Dim>& topology) {
     const double now = state.time.value;
-    return nodeConstraints<Dim>(state.mesh, problem.conditions, topology, state.nodes, now, now + dt);
+    return nodeConstraints<Dim>(state.mesh, problem.conditions, topology, state.nodes, now + from, now + to);
 }
 
 /// Velocities and accelerations that the constraints of this instant allow.
@@ -39,6 +39,21 @@ void obeyConstraints(const NodeConstraints<Dim>& constraints, Nodes<Dim>& nodes)
         nodes.v[i] = constraints.velocity(i, nodes.x[i], nodes.v[i]);
         if (!constraints.isMoved(i)) nodes.a[i] = constraints.project(i, nodes.a[i]);
     }
+}
+
+/// The topology for a step of length dt and velocities that its start allows. Walls that lift off leave their water.
+template <int Dim>
+Topology<Dim> beginStep(const Problem<Dim>& problem, double dt, State<Dim>& state) {
+    const auto& kinds = problem.conditions.kind;
+    auto topology = makeTopology<Dim>(state.mesh, kinds, state.nodes.wall);
+    if (problem.conditions.anyMotion()) {
+        const auto next = constraintsOver<Dim>(0, dt, problem, state, topology);
+        Points<Dim> v = state.nodes.v;
+        for (int i = 0; i < state.nodes.size(); ++i) v[i] = next.velocity(i, state.nodes.x[i], v[i]);
+        if (leaveFeet(topology, v, state)) topology = makeTopology<Dim>(state.mesh, kinds, state.nodes.wall);
+    }
+    obeyConstraints<Dim>(constraintsOver<Dim>(0, 0, problem, state, topology), state.nodes);
+    return topology;
 }
 
 template <int Dim>
@@ -57,20 +72,14 @@ StepResult<Dim> stepWithRetries(const Problem<Dim>& problem, const Controls& con
     for (report.dt = dt;; report.dt *= 0.5) {
         try {
             return fsiStep<Dim>(problem, controls, state.mesh, topology,
-                                constraintsOver<Dim>(report.dt, problem, state, topology), state.nodes, report.dt,
-                                divTarget);
+                                constraintsOver<Dim>(0, report.dt, problem, state, topology), state.nodes,
+                                report.dt, divTarget);
         } catch (const StepFailure& failure) {
             ++report.rejected;
             report.reasons.push_back(failure.what());
             if (report.rejected > limits.maxHalvings || 0.5 * report.dt < limits.deltaTMin) throw;
         }
     }
-}
-
-std::vector<bool> wallPatches(const std::vector<PatchKind>& kinds) {
-    std::vector<bool> walls;
-    for (const PatchKind kind : kinds) walls.push_back(isWall(kind));
-    return walls;
 }
 
 }  // namespace
@@ -92,8 +101,7 @@ AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Sta
     State<Dim> state = last;  // whatever fails below, the last good state stays
     const double start = now();
     const auto& kinds = problem.conditions.kind;
-    const auto topology = makeTopology<Dim>(state.mesh, kinds, state.nodes.wall);
-    obeyConstraints<Dim>(constraintsOver<Dim>(0, problem, state, topology), state.nodes);
+    const auto topology = beginStep<Dim>(problem, dt, state);
 
     const double volume = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes);
     const double divTarget = volumeCorrection<Dim>(state, controls.continuity.volumeCorrectionTime, dt);
@@ -110,8 +118,9 @@ AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Sta
     state.ledger["solver"] += moved - volume - correction;
     report.seconds[0] = now() - start;
 
-    standOnWalls(state.mesh, wallPatches(kinds), state.nodes);
-    releaseFromWalls<Dim>(controls.remeshing, topology, problem.gravity, fluidDensity<Dim>(problem), state.nodes);
+    if (problem.conditions.anyMotion()) standOnWalls(state.mesh, wallPatches(kinds), state.nodes);
+    releaseFromWalls<Dim>(controls.remeshing, topology, problem.gravity, fluidDensity<Dim>(problem),
+                          state.nodes);
     state.ledger["released"] += cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes) - moved;
     landOnWalls<Dim>(controls.remeshing, topology, xOld, state);
     report.returned = returnPenetrating<Dim>(topology, controls.remeshing.wallDistance, state);
@@ -130,12 +139,13 @@ AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Sta
 
 template <int Dim>
 void startConsistently(const Problem<Dim>& problem, const Controls& controls, State<Dim>& state, double dt) {
-    const auto topology = makeTopology<Dim>(state.mesh, problem.conditions.kind, state.nodes.wall);
-    obeyConstraints<Dim>(constraintsOver<Dim>(0, problem, state, topology), state.nodes);
-    const double moment = 1e-3 * dt;
+    const auto topology = beginStep<Dim>(problem, dt, state);
+    const auto over = [&](double from, double to) {
+        return constraintsOver<Dim>(from, to, problem, state, topology);
+    };
     try {
-        state.nodes = consistentStart<Dim>(problem, controls, state.mesh, topology,
-                                           constraintsOver<Dim>(moment, problem, state, topology), state.nodes, moment);
+        state.nodes =
+            consistentStart<Dim>(problem, controls, state.mesh, topology, over, state.nodes, 1e-3 * dt);
     } catch (const StepFailure& failure) {
         throw StepFailure("The pressure at the start cannot be computed; are the physical constants, their units and "
                           "the factors in system/pfemSolution sound?\n" +

@@ -175,13 +175,22 @@ StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, c
 
 template <int Dim>
 Nodes<Dim> consistentStart(Problem<Dim> problem, Controls controls, const Mesh<Dim>& mesh,
-                           const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,
+                           const Topology<Dim>& topology, const ConstraintsOver<Dim>& constraintsOver,
                            const Nodes<Dim>& nodes, double moment) {
-    for (auto& material : problem.materials) material.fluid.kappa = 1e300;
+    // a fluid without free surface has its pressure up to a constant: a trace of compressibility says which
+    const bool open = std::find(topology.freeSurface.begin(), topology.freeSurface.end(), 1) != topology.freeSurface.end();
+    double h = 0;
+    for (double size : nodes.h) h = std::max(h, size);
+    for (auto& material : problem.materials)
+        material.fluid.kappa = open ? 1e300 : 1e8 * material.fluid.rho * h * h / (moment * moment);
     controls.timeIntegration.gamma = 1;
-    controls.convergence.tolU = controls.convergence.tolP = 1e-11;
+    controls.convergence.tolU = 1e-11;
+    controls.convergence.tolP = open ? 1e-11 : 1e-6;
     controls.convergence.maxIterations = 300;
+    double t = 0;  // walls that accelerate go on doing so
     const auto step = [&](const Nodes<Dim>& from) {
+        const auto constraints = constraintsOver(t, t + moment);
+        t += moment;
         return fsiStep<Dim>(problem, controls, mesh, topology, constraints, from, moment, 0).nodes;
     };
     Nodes<Dim> start = nodes;
@@ -205,11 +214,12 @@ Nodes<Dim> consistentStart(Problem<Dim> problem, Controls controls, const Mesh<D
     return start;
 }
 
-#define PFEM_INSTANTIATE(D)                                                                                  \
-    template StepResult<D> fsiStep<D>(const Problem<D>&, const Controls&, const Mesh<D>&, const Topology<D>&, \
-                                      const NodeConstraints<D>&, const Nodes<D>&, double, double);           \
-    template Nodes<D> consistentStart<D>(Problem<D>, Controls, const Mesh<D>&, const Topology<D>&,           \
-                                         const NodeConstraints<D>&, const Nodes<D>&, double);
+#define PFEM_INSTANTIATE(D)                                                                           \
+    template StepResult<D> fsiStep<D>(const Problem<D>&, const Controls&, const Mesh<D>&,             \
+                                      const Topology<D>&, const NodeConstraints<D>&, const Nodes<D>&, \
+                                      double, double);                                                \
+    template Nodes<D> consistentStart<D>(Problem<D>, Controls, const Mesh<D>&, const Topology<D>&,    \
+                                         const ConstraintsOver<D>&, const Nodes<D>&, double);
 PFEM_INSTANTIATE(2)
 
 }  // namespace pfem
