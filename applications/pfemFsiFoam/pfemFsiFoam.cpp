@@ -70,6 +70,7 @@ int run(const Options& options) {
         std::cout << courantLines(courantMean, courantMax, report.dt) << "Time = " << clock.name(state.time) << "\n\n"
                   << stepLines(report, state, firstVolume);
         functions.execute(state);
+        state.memory = functions.memory();
         if (clock.writeDue(state.time)) {
             writeState(clock.folder(state.time), state, outputFields(problem, state));
             clock.written(state.time);

@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
+#include <iostream>
 
 #include "application/runApplication.hpp"
 #include "application/timeRanges.hpp"
 #include "base/error.hpp"
-#include "functions/functionObjects.hpp"
-#include "io/stateFiles.hpp"
+#include "functions/postProcess.hpp"
 
 using namespace pfem;
 
@@ -36,15 +35,6 @@ Dictionary functionsOf(const Case& theCase, const Options& options) {
         "command line");
 }
 
-/// Tables of the run itself are denser than the written times: do not lose them by accident.
-void protectTables(const Case& theCase, const FunctionObjects<2>& probes, const std::string& startName) {
-    for (const auto& name : probes.names()) {
-        const auto folder = theCase.postProcessing(name, startName);
-        if (std::filesystem::exists(folder))
-            throw UserError("\"" + folder.string() + "\" is already there: use -overwrite to replace it");
-    }
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -54,16 +44,13 @@ int main(int argc, char** argv) {
             const Case theCase = options.openCase();
             const auto times = selectTimes(theCase, options);
             const Dictionary dict = functionsOf(theCase, options);
-            FunctionObjects<2> probes(theCase, dict, times.front().name, 6, "probes");
+            FunctionObjects<2> probes(theCase, dict, times.front().name, 6, [](const Dictionary& entry) {
+                return entry.get<std::string>("type") == "probes";
+            });
             if (probes.size() == 0) throw UserError("no function of type probes in \"" + dict.name() + "\"");
 
-            if (!options.found("overwrite")) protectTables(theCase, probes, times.front().name);
-            probes.prepare(readState<2>(theCase.time(times.front().name)));
-            for (const auto& time : times) {
-                fmt::print("Time = {}\n", time.name);
-                probes.executeAll(readState<2>(theCase.time(time.name)));
-            }
-            fmt::print("\nEnd\n\n");
+            postProcess(theCase, probes, times, options.found("overwrite"), std::cout);
+            std::cout << "\nEnd\n\n";
             return 0;
         });
 }

@@ -32,6 +32,12 @@ public:
     /// Called once with the state at the start, before any execute().
     virtual void start(const State<Dim>& state) = 0;
 
+    /// After every step, also when no row is due: for what sums or filters over time. Called before execute().
+    virtual void advance(const State<Dim>&) {}
+
+    /// Numbers that a restart needs; start() finds them again in State::memory under the function's name.
+    virtual std::vector<double> memory() const { return {}; }
+
     /// Evaluate the state and write a row. Throws UserError when the file cannot be written.
     virtual void execute(const State<Dim>& state) = 0;
 };

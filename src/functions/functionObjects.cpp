@@ -19,13 +19,13 @@ WriteControl readWriteControl(const Dictionary& dict) {
 template <int Dim>
 FunctionObjects<Dim>::FunctionObjects(const Case& theCase, const Dictionary& dict,
                                       const std::string& startName, int precision,
-                                      const std::string& onlyType) {
+                                      const std::function<bool(const Dictionary& entry)>& wanted) {
     const Dictionary functions = dict.subDictOrEmpty("functions");
     for (const auto& name : functions.keys()) {
         if (!functions.isDict(name)) functions.fatal(name, "'" + name + "' in functions is not a dictionary");
         const Dictionary& entry = functions.subDict(name);
         if (!entry.get("enabled", true)) continue;
-        if (!onlyType.empty() && entry.get<std::string>("type") != onlyType) continue;
+        if (wanted && !wanted(entry)) continue;
         const FunctionContext<Dim> context{name, theCase.postProcessing(name, startName), theCase.root(),
                                            entry.get("writePrecision", precision), startName};
         functions_.push_back({name, readWriteControl(entry), makeFunction<Dim>(entry, context)});
@@ -52,13 +52,26 @@ std::vector<std::string> FunctionObjects<Dim>::names() const {
 
 template <int Dim>
 void FunctionObjects<Dim>::execute(const State<Dim>& state) {
-    for (auto& entry : functions_)
+    for (auto& entry : functions_) {
+        entry.function->advance(state);
         if (entry.control.due(state.time)) entry.function->execute(state);
+    }
 }
 
 template <int Dim>
 void FunctionObjects<Dim>::executeAll(const State<Dim>& state) {
-    for (auto& entry : functions_) entry.function->execute(state);
+    for (auto& entry : functions_) {
+        entry.function->advance(state);
+        entry.function->execute(state);
+    }
+}
+
+template <int Dim>
+std::map<std::string, std::vector<double>> FunctionObjects<Dim>::memory() const {
+    std::map<std::string, std::vector<double>> all;
+    for (const auto& entry : functions_)
+        if (auto numbers = entry.function->memory(); !numbers.empty()) all[entry.name] = std::move(numbers);
+    return all;
 }
 
 template class FunctionObjects<2>;

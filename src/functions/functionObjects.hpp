@@ -1,6 +1,7 @@
 #pragma once
 // All functions of controlDict.functions, each at its own writeControl.
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -13,10 +14,10 @@ template <int Dim>
 class FunctionObjects {
 public:
     /// `dict`: the dictionary that holds `functions`. `startName`: the time folder at which the run began;
-    /// the tables go to postProcessing/<name>/<startName>. `onlyType`: leave out all others ("": none left
-    /// out). Throws UserError.
+    /// the tables go to postProcessing/<name>/<startName>. `wanted`: which entries of `functions`
+    /// (empty: all). Throws UserError.
     FunctionObjects(const Case& theCase, const Dictionary& dict, const std::string& startName,
-                    int precision = 6, const std::string& onlyType = "");
+                    int precision = 6, const std::function<bool(const Dictionary& entry)>& wanted = {});
 
     /// With the state at the start. Rows are written only when that is the very first of the case (index 0),
     /// so that the tables of a restarted run join without a repeated row.
@@ -30,6 +31,9 @@ public:
 
     /// All of them write a row, whatever their writeControl (utilities that work on time folders).
     void executeAll(const State<Dim>& state);
+
+    /// What the functions need to go on after a restart, for State::memory.
+    std::map<std::string, std::vector<double>> memory() const;
 
     /// The entries' names.
     std::vector<std::string> names() const;

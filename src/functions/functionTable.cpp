@@ -2,9 +2,13 @@
 
 #include "case/timeFolders.hpp"
 #include "functions/fieldMinMax.hpp"
+#include "functions/forces.hpp"
+#include "functions/front.hpp"
 #include "functions/functionObject.hpp"
 #include "functions/massLedger.hpp"
+#include "functions/pressureSensor.hpp"
 #include "functions/probes.hpp"
+#include "functions/waveGauge.hpp"
 #include "io/stateFiles.hpp"
 
 namespace pfem {
@@ -23,8 +27,12 @@ template <int Dim>
 const std::map<std::string, Factory<Dim>>& table() {
     static const std::map<std::string, Factory<Dim>> entries{
         {"fieldMinMax", make<Dim, FieldMinMax<Dim>>},
+        {"forces", make<Dim, Forces<Dim>>},
+        {"front", make<Dim, Front<Dim>>},
         {"massLedger", make<Dim, MassLedger<Dim>>},
+        {"pressureSensor", make<Dim, PressureSensor<Dim>>},
         {"probes", make<Dim, Probes<Dim>>},
+        {"waveGauge", make<Dim, WaveGauge<Dim>>},
     };
     return entries;
 }

@@ -109,6 +109,7 @@ State<Dim> readState(const std::filesystem::path& folder) {
     state.time = uniform.time;
     state.nextId = uniform.nextId;
     state.ledger = uniform.ledger;
+    state.memory = uniform.memory;
     state.nodes = mergeNodes<Dim>({&solid, &fluid, &boundary});
     if (!state.nodes.id.empty() && state.nodes.id.back() >= state.nextId)
         fluid.fail(fmt::format("node {} is not below nextId {} in uniform/time", state.nodes.id.back(),

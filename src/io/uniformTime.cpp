@@ -64,7 +64,15 @@ std::string formatUniformTime(const UniformTime& uniform, const std::string& fol
     text += "}\n\nchecksums\n{\n";
     for (const auto& [file, sum] : uniform.checksums)
         text += fmt::format("    {:<15} \"{}\";\n", plainWord(file), sum);
-    return text + "}\n\n" + dictionaryEndLine();
+    text += "}\n";
+    if (!uniform.memory.empty()) text += "\n// What function objects remember\nmemory\n(\n";
+    for (const auto& [name, numbers] : uniform.memory) {
+        text += fmt::format("    {{ function \"{}\"; values (", name);
+        for (const double number : numbers) text += fmt::format(" {}", finite(name, number));
+        text += " ); }\n";
+    }
+    if (!uniform.memory.empty()) text += ");\n";
+    return text + "\n" + dictionaryEndLine();
 }
 
 UniformTime readUniformTime(const std::filesystem::path& folder) {
@@ -79,6 +87,13 @@ UniformTime readUniformTime(const std::filesystem::path& folder) {
     for (const auto& cause : ledger.keys()) uniform.ledger[cause] = readFinite(ledger, cause);
     const Dictionary sums = dict.subDict("checksums");
     for (const auto& file : sums.keys()) uniform.checksums[file] = sums.get<std::string>(file);
+    if (dict.found("memory"))
+        for (const auto& entry : dict.dictList("memory")) {
+            auto& numbers = uniform.memory[entry.get<std::string>("function")];
+            numbers = entry.get<std::vector<double>>("values");
+            for (const double number : numbers)
+                if (!std::isfinite(number)) entry.fatal("values", "a value is not a finite number");
+        }
     return uniform;
 }
 

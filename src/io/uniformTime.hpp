@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "state/state.hpp"
 
@@ -15,6 +16,7 @@ struct UniformTime {
     Id nextId = 0;
     std::map<std::string, double> ledger;          // cumulative fluid volume by cause [m2 (2D), m3]
     std::map<std::string, std::string> checksums;  // of the folder's files, by checksumOf(); or "none"
+    std::map<std::string, std::vector<double>> memory = {};  // of function objects
 };
 
 /// The text of the file in the folder named `folderName`; numbers in the shortest form that reads back to

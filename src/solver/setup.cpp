@@ -29,7 +29,7 @@ void readPart(const Dictionary& dict, const std::string& name, Options& options)
 }  // namespace
 
 template <int Dim>
-Problem<Dim> readProblem(const Case& theCase, const State<Dim>& state) {
+Problem<Dim> readProblem(const Case& theCase, const State<Dim>& state, std::ostream* warnings) {
     const Mesh<Dim>& mesh = state.mesh;
     Problem<Dim> problem;
     const Dictionary materials = Dictionary::read(theCase.constant("materials"));
@@ -57,11 +57,12 @@ Problem<Dim> readProblem(const Case& theCase, const State<Dim>& state) {
     const Dictionary conditions = Dictionary::read(theCase.constant("boundaryConditions"));
     problem.conditions = readBoundaryConditions<Dim>(conditions, mesh.patches);
     checkConditions<Dim>(conditions, problem.conditions, state);
-    for (const auto* dict : {&materials, &g, &conditions}) warnUnused(*dict, std::cerr);
+    for (const auto* dict : {&materials, &g, &conditions})
+        if (warnings) warnUnused(*dict, *warnings);
     return problem;
 }
 
-Controls readControls(const Case& theCase) {
+Controls readControls(const Case& theCase, std::ostream* warnings) {
     Controls controls;
     if (!std::filesystem::exists(theCase.system("pfemSolution"))) return controls;
     const Dictionary dict = Dictionary::read(theCase.system("pfemSolution"));
@@ -81,10 +82,10 @@ Controls readControls(const Case& theCase) {
         dict.subDictOrEmpty("remeshing")
             .fatal("insertDistance", "insertDistance must be at least twice removeDistance and removeDistanceSurface: the "
                                      "halves of a divided edge would be removed again");
-    warnUnused(dict, std::cerr);
+    if (warnings) warnUnused(dict, *warnings);
     return controls;
 }
 
-template Problem<2> readProblem<2>(const Case&, const State<2>&);
+template Problem<2> readProblem<2>(const Case&, const State<2>&, std::ostream*);
 
 }  // namespace pfem

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "base/types.hpp"
 #include "mesh/mesh.hpp"
@@ -47,6 +48,7 @@ struct State {
     Mesh<Dim> mesh;
     Id nextId = 0;                         // the id of the next node to be inserted
     std::map<std::string, double> ledger;  // cumulative fluid volume by cause [m2 (2D), m3]
+    std::map<std::string, std::vector<double>> memory;  // of function objects, by their name
 };
 
 template <int Dim>

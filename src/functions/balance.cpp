@@ -1,0 +1,33 @@
+#include "functions/balance.hpp"
+
+#include "momentum/fluidStress.hpp"
+#include "momentum/residual.hpp"
+#include "momentum/solidStress.hpp"
+
+namespace pfem {
+
+template <int Dim>
+Points<Dim> supportForces(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state) {
+    const auto& mesh = state.mesh;
+    const auto& nodes = state.nodes;
+    const auto aroundFluid = nodeToCells<Dim>(mesh.fluid.nodes, nodes.size());
+    const auto aroundSolid = nodeToCells<Dim>(mesh.solid.nodes, nodes.size());
+    const Integration scheme = controls.integration.scheme();
+    const auto fluid = makePatches<Dim>(mesh.fluid.nodes, aroundFluid, nodes.x, scheme);
+    const auto solid = makePatches<Dim>(mesh.solid.nodes, aroundSolid, nodes.x, scheme);
+    auto gradients = solid;
+    updatePatches<Dim>(gradients, gradientPositions<Dim>(controls.solid, nodes, nodes));
+
+    auto mass = fluidMass<Dim>(problem, mesh.fluid, fluid);
+    const auto massOfSolid = solidMass<Dim>(problem, mesh.solid, nodes.X);
+    for (std::size_t i = 0; i < mass.size(); ++i) mass[i] += massOfSolid[i];
+    const SolidStress<Dim> stress{storedAtPoints<Dim>(solid, nodes.sigma, mesh.solid.sigma), {}};
+    return momentumResidual<Dim>(
+        mass, nodes.a, problem.gravity, fluid, fluidStress<Dim>(problem, mesh.fluid, fluid, nodes.v, nodes.p),
+        solid, solidElementStress<Dim>(problem, controls.solid, mesh.solid, gradients, solid, stress, nodes),
+        tractionForce<Dim>(mesh, problem.conditions, nodes.x));
+}
+
+template Points<2> supportForces<2>(const Problem<2>&, const Controls&, const State<2>&);
+
+}  // namespace pfem

@@ -1,0 +1,90 @@
+#include "functions/front.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "functions/sensors.hpp"
+#include "mesh/simplex.hpp"
+
+namespace pfem {
+
+namespace {
+
+/// Disjoint sets of nodes.
+class Pieces {
+public:
+    explicit Pieces(int n) : parent_(static_cast<std::size_t>(n)) {
+        std::iota(parent_.begin(), parent_.end(), 0);
+    }
+
+    int of(int i) {
+        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+    void join(int i, int j) { parent_[of(j)] = of(i); }
+
+private:
+    std::vector<int> parent_;
+};
+
+}  // namespace
+
+template <int Dim>
+std::optional<FrontReading> readFront(const State<Dim>& state, const Vec<Dim>& direction) {
+    const auto& x = state.nodes.x;
+    const auto& cells = state.mesh.fluid.nodes;
+    if (cells.empty()) return {};
+    Pieces pieces(state.nodes.size());
+    for (const auto& cell : cells)
+        for (const int node : cell) pieces.join(cell[0], node);
+    std::vector<double> volume(x.size(), 0.0);
+    for (const auto& cell : cells) volume[pieces.of(cell[0])] += simplexMeasure<Dim>(x, cell);
+    const int main = static_cast<int>(std::max_element(volume.begin(), volume.end()) - volume.begin());
+
+    FrontReading front;
+    bool first = true;
+    const auto consider = [&](int node, bool connected) {
+        const double place = x[node].dot(direction);
+        front.any = first ? place : std::max(front.any, place);
+        first = false;
+        if (connected && (front.node < 0 || place > front.connected))
+            front.connected = place, front.node = node;
+    };
+    for (const auto& cell : cells)
+        for (const int node : cell) consider(node, pieces.of(node) == main);
+    for (int i = 0; i < state.nodes.size(); ++i)
+        if (state.nodes.dropVolume[i] > 0) consider(i, false);
+    return front;
+}
+
+template <int Dim>
+Front<Dim>::Front(const Dictionary& dict, const FunctionContext<Dim>& context) : context_(context) {
+    readEntries(dict, entries_);
+    if (!(entries_.direction.template head<Dim>().norm() > 0))
+        dict.fatal("direction", "the direction has no length");
+}
+
+template <int Dim>
+void Front<Dim>::start(const State<Dim>&) {
+    table_.emplace(context_.folder / "front.dat", context_.precision);
+    table_->comment(
+        "Largest x . direction of the main body of fluid and of any fluid [m]; where the first is");
+    table_->header({"Time", "front", "any", "location"});
+}
+
+template <int Dim>
+void Front<Dim>::execute(const State<Dim>& state) {
+    const auto front = readFront<Dim>(state, entries_.direction.template head<Dim>().normalized());
+    std::vector<double> place{dry, dry, dry};
+    if (front) {
+        const auto& x = state.nodes.x[front->node];
+        place = {x[0], x[1], Dim == 3 ? x[Dim - 1] : 0.0};
+    }
+    table_->row({table_->number(state.time.value), table_->number(front ? front->connected : dry),
+                 table_->number(front ? front->any : dry), table_->tuple(place)});
+}
+
+template std::optional<FrontReading> readFront<2>(const State<2>&, const Vec<2>&);
+template class Front<2>;
+
+}  // namespace pfem

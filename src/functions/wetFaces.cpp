@@ -1,0 +1,41 @@
+#include "functions/wetFaces.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace pfem {
+
+namespace {
+
+template <int Dim>
+Face<Dim> sorted(Face<Dim> face) {
+    std::sort(face.begin(), face.end());
+    return face;
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<WetFace<Dim>> wetFaces(const State<Dim>& state, const Topology<Dim>& topology) {
+    std::map<Face<Dim>, int> materialOfSolid;
+    for (const auto& face : boundaryFaces<Dim>(state.mesh.solid.nodes, topology.solid))
+        materialOfSolid[sorted<Dim>(face.nodes)] = state.mesh.solid.material[face.cell];
+    std::vector<WetFace<Dim>> result;
+    for (const auto& face : topology.faces) {
+        WetFace<Dim> wet{face.nodes, face.cell, -1, -1};
+        if (face.kind == FaceKind::interface)
+            wet.solid = materialOfSolid.at(sorted<Dim>(face.nodes));
+        else if (face.kind == FaceKind::wall) {
+            const int wall = commonWall(topology, state.nodes.wall, face.nodes);
+            if (wall < 0) continue;
+            wet.patch = topology.walls[wall].patch;
+        } else
+            continue;
+        result.push_back(wet);
+    }
+    return result;
+}
+
+template std::vector<WetFace<2>> wetFaces<2>(const State<2>&, const Topology<2>&);
+
+}  // namespace pfem
