@@ -51,11 +51,11 @@ MeshedBody addBody(Draft& draft, const MeshDescription& description, int index, 
                                ? fillUnstructured(region, size)
                                : fillPattern(region, body.pattern, patternCells(description, body));
     std::vector<int> global = region.boundaryNode;
-    for (const int i : global) draft.v[i] = body.velocity;
+    for (const int i : global) draft.v[i] = body.velocityAt(draft.x[i]);
     for (std::size_t i = region.nBoundary; i < region.x.size(); ++i) {
         global.push_back(static_cast<int>(draft.x.size()));
         draft.x.push_back(region.x[i]);
-        draft.v.push_back(body.velocity);
+        draft.v.push_back(body.velocityAt(region.x[i]));
         draft.h.push_back(size.at(region.x[i], region.h));
     }
     Cells<2>& cells = body.type == BodyType::fluid ? draft.mesh.fluid : draft.mesh.solid;

@@ -45,6 +45,7 @@ BoundaryConditions<Dim> readBoundaryConditions(const Dictionary& dict, const std
         const Dictionary& entry = dict.subDict(patch.name);
         const std::string type = entry.choice("type", words);
         result.traction.push_back(Vec<Dim>::Zero());
+        result.tractionOverTime.push_back(nullptr);
         result.motion.push_back(nullptr);
         if (entry.found("motion")) {
             if (type == "symmetry" || type == "traction")
@@ -57,7 +58,8 @@ BoundaryConditions<Dim> readBoundaryConditions(const Dictionary& dict, const std
         if (type == "symmetry") result.kind.push_back(PatchKind::symmetry);
         if (type == "traction") {
             result.kind.push_back(PatchKind::traction);
-            result.traction.back() = entry.get<Eigen::Vector3d>("traction").head<Dim>();
+            result.tractionOverTime.back() = readFunction1<Eigen::Vector3d>(entry, "traction");
+            result.traction.back() = result.tractionOverTime.back()->value(0).template head<Dim>();
         }
     }
     return result;

@@ -15,7 +15,8 @@ namespace pfem {
 template <int Dim>
 struct BoundaryConditions {
     std::vector<PatchKind> kind;
-    std::vector<Vec<Dim>> traction;  // [Pa]; traction patches only
+    std::vector<Vec<Dim>> traction;  // [Pa]; traction patches only, at the time in question
+    std::vector<Function1Ptr<Eigen::Vector3d>> tractionOverTime;  // null: it stays as it is
     std::vector<std::shared_ptr<const WallMotion>> motion;  // null: at rest; walls and clamped patches only
 
     bool anyMotion() const {

@@ -71,7 +71,7 @@ StepResult<Dim> stepWithRetries(const Problem<Dim>& problem, const Controls& con
     const auto& limits = controls.convergence;
     for (report.dt = dt;; report.dt *= 0.5) {
         try {
-            return fsiStep<Dim>(problem, controls, state.mesh, topology,
+            return fsiStep<Dim>(problemAt<Dim>(state.time.value + report.dt, problem), controls, state.mesh, topology,
                                 constraintsOver<Dim>(0, report.dt, problem, state, topology), state.nodes,
                                 report.dt, divTarget);
         } catch (const StepFailure& failure) {
@@ -119,8 +119,8 @@ AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Sta
     report.seconds[0] = now() - start;
 
     if (problem.conditions.anyMotion()) standOnWalls(state.mesh, wallPatches(kinds), state.nodes);
-    releaseFromWalls<Dim>(controls.remeshing, topology, problem.gravity, fluidDensity<Dim>(problem),
-                          state.nodes);
+    const Vec<Dim> gravity = problemAt<Dim>(state.time.value + report.dt, problem).gravity;
+    releaseFromWalls<Dim>(controls.remeshing, topology, gravity, fluidDensity<Dim>(problem), state.nodes);
     state.ledger["released"] += cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes) - moved;
     landOnWalls<Dim>(controls.remeshing, topology, xOld, state);
     report.returned = returnPenetrating<Dim>(topology, controls.remeshing.wallDistance, state);
@@ -145,7 +145,7 @@ void startConsistently(const Problem<Dim>& problem, const Controls& controls, St
     };
     try {
         state.nodes =
-            consistentStart<Dim>(problem, controls, state.mesh, topology, over, state.nodes, 1e-3 * dt);
+            consistentStart<Dim>(problemAt<Dim>(state.time.value, problem), controls, state.mesh, topology, over, state.nodes, 1e-3 * dt);
     } catch (const StepFailure& failure) {
         throw StepFailure("The pressure at the start cannot be computed; are the physical constants, their units and "
                           "the factors in system/pfemSolution sound?\n" +
