@@ -7,11 +7,16 @@
 #include <iostream>
 
 #include "application/runApplication.hpp"
+#include "case/interrupt.hpp"
+#include "case/runLock.hpp"
+#include "case/settings.hpp"
 #include "case/timeControl.hpp"
+#include "case/unfinished.hpp"
 #include "functions/functionObjects.hpp"
 #include "io/series.hpp"
 #include "io/stateFiles.hpp"
 #include "solver/advance.hpp"
+#include "solver/failedFolder.hpp"
 #include "solver/log.hpp"
 #include "solver/outputFields.hpp"
 #include "solver/setup.hpp"
@@ -25,29 +30,54 @@ double clockNow() {
 }
 double cpuNow() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// One step; when it fails for good, the last good state is written before the message.
+void save(const Case& theCase, const Problem<2>& problem, const TimeControl& clock, const State<2>& state) {
+    writeState(clock.folder(state.time), state, outputFields(problem, state));
+    writeSeries(theCase.root());
+}
+
+/// One step; when it fails for good, the last good state is written before the message, the bad one for inspection.
 AdvanceReport advanceOrSave(const Problem<2>& problem, const Controls& controls, const Case& theCase,
                             const TimeControl& clock, State<2>& state, double dt) {
     try {
         return advance(problem, controls, state, dt);
     } catch (const StepFailure& failure) {
-        writeState(clock.folder(state.time), state, outputFields(problem, state));
-        writeSeries(theCase.root());
-        throw StepFailure(fmt::format("The step after t = {} s failed with deltaT = {:.3g} s and all its halvings:\n{}\n\n"
+        save(theCase, problem, clock, state);
+        std::string places;
+        if (const auto* step = dynamic_cast<const FailedStep<2>*>(&failure))
+            places = "\n" + writeFailed(theCase.root(), problem, *step, state) +
+                     "\nThe folder failed/ shows it (ParaView: failed/failed.pvd, flag 'failed').";
+        throw StepFailure(fmt::format("The step after t = {} s failed with deltaT = {:.3g} s and all its halvings:\n{}{}\n"
                                       "The last good state is in the folder {}.",
-                                      state.time.value, dt, failure.what(), clock.name(state.time)));
+                                      state.time.value, dt, failure.what(), places, clock.name(state.time)));
+    } catch (const std::exception&) {
+        save(theCase, problem, clock, state);
+        throw;
     }
+}
+
+/// What the last run has left: an old lock, unfinished folders, other settings.
+void welcome(const Case& theCase, const RunLock& lock) {
+    if (!lock.abandoned().empty())
+        std::cerr << "--> PFEM Warning : the lock of a run that did not end properly is taken over (" << lock.abandoned()
+                  << ")\n";
+    for (const auto& done : clearUnfinished(theCase.root())) std::cerr << "--> PFEM Warning : " << done << "\n";
+    const std::string changes = rememberSettings(theCase, currentSettings(theCase));
+    if (!changes.empty()) std::cout << "Settings that differ from those of the last run:\n" << changes << "\n";
 }
 
 int run(const Options& options) {
     const Case theCase = options.openCase();
     std::cout << startBanner(options, theCase) << "Create time\n\n" << std::flush;
+    const RunLock lock(theCase.root(), options.program());
+    welcome(theCase, lock);
     TimeControl clock(theCase);
     std::cout << "Create mesh for time = " << clock.startName() << "\n\n" << std::flush;
     State<2> state = readState<2>(clock.startFolder());
     const Problem<2> problem = readProblem(theCase, state);
     const Controls controls = readControls(theCase);
-    FunctionObjects<2> functions(theCase, clock.dictionary(), clock.startName(), clock.controls().writePrecision);
+    const auto resumeAt = state.time.index > 0 ? std::optional(state.time.value) : std::nullopt;
+    FunctionObjects<2> functions(theCase, clock.dictionary(), clock.startName(), clock.controls().writePrecision, {},
+                                 resumeAt);
     warnUnused(clock.dictionary(), std::cerr);
 
     double firstVolume = totalVolume(state);
@@ -72,14 +102,19 @@ int run(const Options& options) {
         functions.execute(state);
         state.memory = functions.memory();
         if (clock.writeDue(state.time)) {
-            writeState(clock.folder(state.time), state, outputFields(problem, state));
+            save(theCase, problem, clock, state);
             clock.written(state.time);
-            writeSeries(theCase.root());
         }
         const double done = (state.time.value - timeStart) / (clock.controls().endTime - timeStart);
         std::cout << timeLines(cpuNow(), clockNow() - clockStart, done) << std::flush;
     }
-    std::cout << summary.text(clockNow() - clockStart) << "End\n\n";
+    std::cout << summary.text(clockNow() - clockStart);
+    if (const int signal = interrupted(); signal != 0) {
+        std::cout << "Stopped by " << signalName(signal) << ", the state is written in the folder "
+                  << clock.name(state.time) << ": start again to go on\n\n";
+        return 128 + signal;
+    }
+    std::cout << "End\n\n";
     return 0;
 }
 

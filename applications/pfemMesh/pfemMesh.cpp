@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "application/runApplication.hpp"
+#include "case/runLock.hpp"
 #include "case/timeFolders.hpp"
 #include "io/series.hpp"
 #include "io/stateFiles.hpp"
@@ -52,6 +53,7 @@ int run(const Options& options) {
     const auto start = std::chrono::steady_clock::now();
     const Case theCase = options.openCase();
     std::cout << startBanner(options, theCase) << std::flush;
+    const RunLock lock(theCase.root(), options.program());
 
     const Dictionary dict = Dictionary::read(theCase.system("meshDict"));
     const MeshDescription description = readMeshDict(dict, materialNames(theCase), meshSizeOption(options));

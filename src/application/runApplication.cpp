@@ -1,6 +1,7 @@
 #include "application/runApplication.hpp"
 
 #include <fmt/format.h>
+#include <signal.h>
 #include <sys/utsname.h>
 #include <unistd.h>
 
@@ -65,6 +66,7 @@ std::string startBanner(const Options& options, const Case& theCase) {
 
 int runApplication(int argc, const char* const* argv, const std::string& description, const OptionsSpec& spec,
                    const std::function<int(const Options&)>& body) {
+    signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error with a message, not the end
     const std::string program = argc > 0 ? std::filesystem::path(argv[0]).filename().string() : "pfem";
     try {
         const Options options = [&] {

@@ -1,6 +1,7 @@
 #pragma once
 // The two kinds of failure: what a user can mend (UserError) and our own bugs (InternalError).
 
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -32,9 +33,15 @@ class InternalError : public std::logic_error {
 };
 
 /// A time step that cannot be accepted (no convergence, inverted element, ...). The step is repeated
-/// with a smaller deltaT; the message says why and where.
+/// with a smaller deltaT; the message says why and where; `nodes`: the ids of those concerned, if known.
 class StepFailure : public std::runtime_error {
-    using std::runtime_error::runtime_error;
+public:
+    explicit StepFailure(const std::string& message, std::vector<std::int64_t> nodes = {})
+        : std::runtime_error(message), nodes_(std::move(nodes)) {}
+    const std::vector<std::int64_t>& nodes() const { return nodes_; }
+
+private:
+    std::vector<std::int64_t> nodes_;
 };
 
 /// "<word> is not a valid <what>.\nValid <what>s :\n3\n(\na\nb\nc\n)" with the nearest valid word as a hint.

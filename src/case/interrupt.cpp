@@ -6,8 +6,8 @@ namespace pfem {
 
 namespace {
 volatile sig_atomic_t flag = 0;
-extern "C" void setFlag(int) {
-    flag = 1;
+extern "C" void setFlag(int number) {
+    flag = number;
 }
 }  // namespace
 
@@ -18,10 +18,23 @@ void catchInterrupts() {
     sigemptyset(&action.sa_mask);
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
+    struct sigaction hangUp = {};
+    sigaction(SIGHUP, nullptr, &hangUp);
+    if (hangUp.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
+    signal(SIGPIPE, SIG_IGN);
 }
 
-bool interrupted() {
-    return flag != 0;
+int interrupted() {
+    return flag;
+}
+
+const char* signalName(int number) {
+    switch (number) {
+        case SIGINT: return "SIGINT";
+        case SIGTERM: return "SIGTERM";
+        case SIGHUP: return "SIGHUP";
+        default: return "a signal";
+    }
 }
 
 void clearInterrupt() {

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "case/interrupt.hpp"
+#include "dictionary/flatEntries.hpp"
 
 namespace pfem {
 
@@ -55,7 +56,6 @@ TimeControl::TimeControl(const Case& theCase)
       dict_(Dictionary::read(file_)),
       controls_(readControlDict(dict_)),
       write_(writeControlOf(controls_)),
-      timePrecision_(controls_.timePrecision),
       startName_(chooseStart(theCase, controls_)) {
     catchInterrupts();
     stop_ = controls_.stopAt == "writeNow" || controls_.stopAt == "noWriteNow";
@@ -103,7 +103,7 @@ double TimeControl::deltaT(const TimeInfo& time, double courantRate) const {
     return std::abs(even - dt) <= sameTime * dt ? dt : even;  // keep dt's bits while rounding alone differs
 }
 
-TimeInfo TimeControl::advance(const TimeInfo& time, double dt) {
+TimeInfo TimeControl::advance(const TimeInfo& time, double dt) const {
     TimeInfo next = time;
     next.value = time.value + dt;
     const double multiple = std::round(next.value / controls_.deltaT) * controls_.deltaT;
@@ -113,12 +113,6 @@ TimeInfo TimeControl::advance(const TimeInfo& time, double dt) {
     next.index = time.index + 1;
     next.deltaT = dt;
     next.deltaT0 = dt;
-    const int precision =
-        precisionToDistinguish(time.value, next.value, controls_.timeFormat, timePrecision_);
-    if (precision != timePrecision_)
-        std::cerr << "--> PFEM Warning : Increased the timePrecision from " << timePrecision_ << " to "
-                  << precision << " to distinguish between timeNames at time " << name(next) << "\n";
-    timePrecision_ = precision;
     return next;
 }
 
@@ -143,10 +137,9 @@ void TimeControl::readAgainIfChanged() {
         Dictionary dict = Dictionary::read(file_);
         const ControlDict controls = readControlDict(dict);
         write_ = writeControlOf(controls);
-        if (controls.timePrecision != controls_.timePrecision) timePrecision_ = controls.timePrecision;
+        std::cout << "Re-reading " << file_.string() << "\n" << differences(flatEntries(dict_), flatEntries(dict));
         controls_ = controls;
         dict_ = std::move(dict);
-        std::cout << "Re-reading " << file_.string() << "\n";
     } catch (const UserError& error) {  // perhaps just being edited: a running job must not die of it
         std::cerr << "--> PFEM Warning : " << file_.string()
                   << " was changed but cannot be used, the old settings stay: " << error.what() << "\n";
@@ -154,7 +147,9 @@ void TimeControl::readAgainIfChanged() {
 }
 
 std::string TimeControl::name(const TimeInfo& time) const {
-    return timeName(time.value, controls_.timeFormat, timePrecision_);
+    const int precision =
+        precisionToDistinguish(time.value - time.deltaT0, time.value, controls_.timeFormat, controls_.timePrecision);
+    return timeName(time.value, controls_.timeFormat, precision);
 }
 
 void TimeControl::written(const TimeInfo& time) {

@@ -37,14 +37,15 @@ public:
     double deltaT(const TimeInfo& time, double courantRate = 0) const;
 
     /// The time after a step of length dt from `time`: rounded to the write time, the end time or a multiple
-    /// of deltaT when it means one of them. Raises timePrecision when names would coincide.
-    TimeInfo advance(const TimeInfo& time, double dt);
+    /// of deltaT when it means one of them.
+    TimeInfo advance(const TimeInfo& time, double dt) const;
 
     /// Is the state to be written at `time`? Also looks at signals and at a changed controlDict: ask once a
     /// step.
     bool writeDue(const TimeInfo& time);
 
-    /// The name of `time` ("0.05") and its folder.
+    /// The name of `time` ("0.05") and its folder. More digits than timePrecision where the step before would have the
+    /// same name: that depends on `time` alone, so that a restarted run gives the same names.
     std::string name(const TimeInfo& time) const;
     std::filesystem::path folder(const TimeInfo& time) const { return root_ / name(time); }
 
@@ -62,7 +63,6 @@ private:
     Dictionary dict_;
     ControlDict controls_;
     WriteControl write_;
-    int timePrecision_;
     std::string startName_;
     std::deque<std::string> names_;  // written by this run, for purgeWrite
     bool stop_ = false;

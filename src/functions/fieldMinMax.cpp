@@ -47,7 +47,7 @@ FieldMinMax<Dim>::FieldMinMax(const Dictionary& dict, const FunctionContext<Dim>
 
 template <int Dim>
 void FieldMinMax<Dim>::start(const State<Dim>&) {
-    table_.emplace(context_.folder / "fieldMinMax.dat", context_.precision);
+    table_.emplace(context_.folder / "fieldMinMax.dat", context_.precision, context_.resumeAt);
     table_->comment("Field minima and maxima");
     table_->comment("Time\tfield\tmin\tlocation(min)\tmax\tlocation(max)");
 }
@@ -70,7 +70,7 @@ void FieldMinMax<Dim>::execute(const State<Dim>& state) {
             if (highest < 0 || value > high) high = value, highest = i;
         }
         if (lowest < 0) continue;
-        table_->line(fmt::format("{}\t{}\t{}\t{}\t{}\t{}", table_->number(state.time.value), field.name,
+        table_->line(fmt::format("{}\t{}\t{}\t{}\t{}\t{}", table_->time(state.time.value), field.name,
                                  table_->number(low), location(lowest), table_->number(high),
                                  location(highest)));
     }

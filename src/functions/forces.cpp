@@ -40,7 +40,7 @@ double shape(int i, int j) {
 }
 
 std::string columns(const Table& table, double time, const std::vector<Eigen::Vector3d>& vectors) {
-    std::string line = table.number(time);
+    std::string line = table.time(time);
     for (const auto& v : vectors)
         line += fmt::format("\t({} {} {})", table.number(v[0]), table.number(v[1]), table.number(v[2]));
     return line;
@@ -122,7 +122,7 @@ void Forces<Dim>::start(const State<Dim>& state) {
     controls_ = readControls(Case(context_.root), nullptr);
     sortNames(state);
     const auto begin = [&](const std::string& file, const std::string& title, const std::string& head) {
-        Table table(context_.folder / file, context_.precision);
+        Table table(context_.folder / file, context_.precision, context_.resumeAt);
         table.comment(title);
         table.comment(fmt::format("CofR                : ({} {} {})", entries_.CofR[0], entries_.CofR[1],
                                   entries_.CofR[2]));

@@ -66,7 +66,7 @@ Front<Dim>::Front(const Dictionary& dict, const FunctionContext<Dim>& context) :
 
 template <int Dim>
 void Front<Dim>::start(const State<Dim>&) {
-    table_.emplace(context_.folder / "front.dat", context_.precision);
+    table_.emplace(context_.folder / "front.dat", context_.precision, context_.resumeAt);
     table_->comment(
         "Largest x . direction of the main body of fluid and of any fluid [m]; where the first is");
     table_->header({"Time", "front", "any", "location"});
@@ -80,7 +80,7 @@ void Front<Dim>::execute(const State<Dim>& state) {
         const auto& x = state.nodes.x[front->node];
         place = {x[0], x[1], Dim == 3 ? x[Dim - 1] : 0.0};
     }
-    table_->row({table_->number(state.time.value), table_->number(front ? front->connected : dry),
+    table_->row({table_->time(state.time.value), table_->number(front ? front->connected : dry),
                  table_->number(front ? front->any : dry), table_->tuple(place)});
 }
 

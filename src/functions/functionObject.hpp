@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct FunctionContext {
     std::filesystem::path root;    // of the case
     int precision = 6;             // significant digits of the columns
     std::string startName;         // name of the time folder at which the run began
+    std::optional<double> resumeAt = {};  // the exact time at which a run goes on: for Table; none for new tables
 };
 
 template <int Dim>

@@ -19,7 +19,8 @@ WriteControl readWriteControl(const Dictionary& dict) {
 template <int Dim>
 FunctionObjects<Dim>::FunctionObjects(const Case& theCase, const Dictionary& dict,
                                       const std::string& startName, int precision,
-                                      const std::function<bool(const Dictionary& entry)>& wanted) {
+                                      const std::function<bool(const Dictionary& entry)>& wanted,
+                                      std::optional<double> resumeAt) {
     const Dictionary functions = dict.subDictOrEmpty("functions");
     for (const auto& name : functions.keys()) {
         if (!functions.isDict(name)) functions.fatal(name, "'" + name + "' in functions is not a dictionary");
@@ -27,7 +28,7 @@ FunctionObjects<Dim>::FunctionObjects(const Case& theCase, const Dictionary& dic
         if (!entry.get("enabled", true)) continue;
         if (wanted && !wanted(entry)) continue;
         const FunctionContext<Dim> context{name, theCase.postProcessing(name, startName), theCase.root(),
-                                           entry.get("writePrecision", precision), startName};
+                                           entry.get("writePrecision", precision), startName, resumeAt};
         functions_.push_back({name, readWriteControl(entry), makeFunction<Dim>(entry, context)});
     }
 }

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "case/controlDict.hpp"
@@ -14,10 +15,11 @@ template <int Dim>
 class FunctionObjects {
 public:
     /// `dict`: the dictionary that holds `functions`. `startName`: the time folder at which the run began;
-    /// the tables go to postProcessing/<name>/<startName>. `wanted`: which entries of `functions`
-    /// (empty: all). Throws UserError.
+    /// the tables go to postProcessing/<name>/<startName>, or continue those of the run before when `resumeAt` is
+    /// the exact time at which it goes on. `wanted`: which entries of `functions` (empty: all). Throws UserError.
     FunctionObjects(const Case& theCase, const Dictionary& dict, const std::string& startName,
-                    int precision = 6, const std::function<bool(const Dictionary& entry)>& wanted = {});
+                    int precision = 6, const std::function<bool(const Dictionary& entry)>& wanted = {},
+                    std::optional<double> resumeAt = {});
 
     /// With the state at the start. Rows are written only when that is the very first of the case (index 0),
     /// so that the tables of a restarted run join without a repeated row.

@@ -1,9 +1,22 @@
 #include "functions/massLedger.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
+#include <sstream>
+
+#include "io/history.hpp"
 
 namespace pfem {
+
+namespace {
+
+std::vector<std::string> wordsOf(const std::string& line) {
+    std::istringstream stream(line);
+    return {std::istream_iterator<std::string>(stream), {}};
+}
+
+}  // namespace
 
 std::vector<std::string> causesOf(const std::vector<MassBalance>& rows) {
     std::set<std::string> causes;
@@ -34,31 +47,57 @@ MassLedger<Dim>::MassLedger(const Dictionary&, const FunctionContext<Dim>& conte
     context_.precision = std::max(10, context_.precision);  // small differences of large numbers
 }
 
+/// A run that goes on takes over the rows of the table before; their columns may be others.
 template <int Dim>
 void MassLedger<Dim>::start(const State<Dim>& state) {
     account_.emplace(initialState(context_.root, state), readDensities(context_.root));
     rows_.clear();
+    causes_.clear();
     table_.reset();
+    file_ = context_.folder / "fluidVolume.dat";
+    const auto previous = context_.resumeAt ? previousTable(file_) : std::nullopt;
+    if (!previous) return;
+    const TableText old = readTable(*previous, *context_.resumeAt);
+    const auto titles = old.head.empty() ? std::vector<std::string>{} : wordsOf(old.head.back().substr(1));
+    const auto fixed = massTitles({});
+    for (const auto& title : fixed)
+        if (std::find(titles.begin(), titles.end(), title) == titles.end()) return;  // another kind of table
+    file_ = *previous;
+    for (const auto& title : titles)
+        if (std::find(fixed.begin(), fixed.end(), title) == fixed.end()) causes_.push_back(title);
+    for (const auto& line : old.rows) {
+        const auto words = wordsOf(line);
+        Row& row = rows_.emplace_back();
+        for (std::size_t i = 0; i < std::min(words.size(), titles.size()); ++i) row[titles[i]] = words[i];
+    }
 }
 
 template <int Dim>
 void MassLedger<Dim>::execute(const State<Dim>& state) {
-    rows_.push_back(account_->balance(state));
-    const auto causes = causesOf(rows_);
-    std::size_t from = rows_.size() - 1;
-    if (!table_ || causes != causes_) {  // begin anew
-        causes_ = causes;
-        table_.emplace(context_.folder / "fluidVolume.dat", context_.precision);
-        table_->comment(
-            "Fluid volume [m2 (2D), m3], mass [kg/m, kg] and cumulative change of volume by cause");
-        table_->header(massTitles(causes_));
-        from = 0;
+    const MassBalance balance = account_->balance(state);
+    std::set<std::string> causes(causes_.begin(), causes_.end());
+    for (const auto& [cause, volume] : balance.causes) causes.insert(cause);
+    const bool anew = !table_ || causes.size() != causes_.size();
+    causes_.assign(causes.begin(), causes.end());
+    const auto titles = massTitles(causes_);
+    const auto values = massColumns(balance, causes_);
+    if (anew) {
+        table_.emplace(file_, context_.precision, state.time.value);
+        table_->comment("Fluid volume [m2 (2D), m3], mass [kg/m, kg] and cumulative change of volume by cause");
+        table_->header(titles);
     }
-    for (; from < rows_.size(); ++from) {
-        std::vector<std::string> columns;
-        for (const double value : massColumns(rows_[from], causes_)) columns.push_back(table_->number(value));
-        table_->row(columns);
+    Row& row = rows_.emplace_back();
+    for (std::size_t i = 0; i < titles.size(); ++i)
+        row[titles[i]] = i == 0 ? table_->time(values[i]) : table_->number(values[i]);
+    std::vector<std::vector<std::string>> columns;
+    for (std::size_t r = anew ? 0 : rows_.size() - 1; r < rows_.size(); ++r) {
+        columns.emplace_back();
+        for (const auto& title : titles) columns.back().push_back(rows_[r].count(title) ? rows_[r][title] : "0");
     }
+    if (anew)
+        table_->replaceRows(columns);
+    else
+        table_->row(columns[0]);
 }
 
 template class MassLedger<2>;

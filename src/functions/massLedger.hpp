@@ -1,7 +1,10 @@
 #pragma once
 // `type massLedger`: the fluid's mass and where its changes come from.
 
+#include <filesystem>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "functions/functionObject.hpp"
@@ -24,7 +27,10 @@ public:
 private:
     FunctionContext<Dim> context_;
     std::optional<MassAccount<Dim>> account_;
-    std::vector<MassBalance> rows_;  // kept: a cause that appears late brings a column for all rows
+    using Row = std::map<std::string, std::string>;  // title -> text
+
+    std::filesystem::path file_;
+    std::vector<Row> rows_;  // kept: a cause that appears late brings a column for all rows
     std::vector<std::string> causes_;
     std::optional<Table> table_;
 };

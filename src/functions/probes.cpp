@@ -59,7 +59,7 @@ void Probes<Dim>::start(const State<Dim>& state) {
     }
     tables_.clear();
     for (const auto& field : fields_) {
-        Table& table = tables_.emplace_back(context_.folder / field.name, context_.precision);
+        Table& table = tables_.emplace_back(context_.folder / field.name, context_.precision, context_.resumeAt);
         std::vector<std::string> titles{"Probe"};
         for (std::size_t i = 0; i < points_.size(); ++i) {
             table.comment(fmt::format("Probe {} ({} {} {}){}", i, table.number(points_[i][0]),
@@ -88,7 +88,7 @@ void Probes<Dim>::execute(const State<Dim>& state) {
     for (std::size_t f = 0; f < fields_.size(); ++f) {
         const NodalField<Dim>& field = fields_[f];
         Table& table = tables_[f];
-        std::vector<std::string> row{table.number(state.time.value)};
+        std::vector<std::string> row{table.time(state.time.value)};
         for (const auto& [inFluid, inSolid] : samples) {
             std::vector<double> value(static_cast<std::size_t>(field.components), outOfBounds);
             if (inFluid && has(field.region, Region::fluid))

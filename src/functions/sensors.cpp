@@ -7,7 +7,7 @@ namespace pfem {
 template <int Dim>
 Table sensorTable(const FunctionContext<Dim>& context, const std::string& file, const std::string& word,
                   const std::vector<Eigen::Vector3d>& points, const std::vector<bool>& found) {
-    Table table(context.folder / file, context.precision);
+    Table table(context.folder / file, context.precision, context.resumeAt);
     std::vector<std::string> titles{word};
     for (std::size_t i = 0; i < points.size(); ++i) {
         const bool present = found.empty() || found[i];
@@ -22,7 +22,7 @@ Table sensorTable(const FunctionContext<Dim>& context, const std::string& file, 
 }
 
 void sensorRow(Table& table, double time, const std::vector<double>& values) {
-    std::vector<std::string> row{table.number(time)};
+    std::vector<std::string> row{table.time(time)};
     for (const double value : values) row.push_back(table.number(value));
     table.row(row);
 }

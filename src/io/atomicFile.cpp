@@ -90,7 +90,7 @@ StagedFolder::StagedFolder(const fs::path& target)
       staging_(parentOf(target_) / ("." + target_.filename().string() + ".tmp")) {
     std::error_code error;
     fs::remove_all(staging_, error);
-    fs::create_directories(staging_, error);
+    fs::create_directory(staging_, error);  // a case that has been deleted is not made anew
     if (error) fail("cannot make the folder", target_, error.message());
 }
 

@@ -2,27 +2,71 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
 #include "base/error.hpp"
+#include "io/atomicFile.hpp"
+#include "io/history.hpp"
 
 namespace pfem {
 
-Table::Table(const std::filesystem::path& file, int precision) : file_(file), precision_(precision) {
+namespace {
+
+/// A probe may be dry at one start and wet at another.
+bool sameColumns(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+    const auto plain = [](const std::string& line) { return line.substr(0, line.find("  # Not Found")); };
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [&](const auto& s, const auto& t) { return plain(s) == plain(t); });
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+    std::string text;
+    for (const auto& line : lines) text += line + "\n";
+    return text;
+}
+
+}  // namespace
+
+Table::Table(const std::filesystem::path& file, int precision, std::optional<double> resumeAt)
+    : file_(file), precision_(precision), resumeAt_(resumeAt) {
+    if (!resumeAt_) begin();
+}
+
+void Table::makeFolder() const {
     std::error_code error;
-    if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), error);
+    if (file_.has_parent_path()) std::filesystem::create_directories(file_.parent_path(), error);
     if (error)
-        throw UserError("cannot make the folder \"" + file.parent_path().string() + "\": " + error.message(),
-                        {file.string(), 0});
+        throw UserError("cannot make the folder \"" + file_.parent_path().string() + "\": " + error.message(),
+                        {file_.string(), 0});
+}
+
+void Table::begin() {
+    std::string text = joined(head_);
+    if (resumeAt_) {
+        const auto previous = previousTable(file_);
+        if (previous)
+            if (const TableText old = readTable(*previous, *resumeAt_); sameColumns(old.head, head_)) {
+                file_ = *previous;
+                text = joined(old.head) + joined(old.rows);
+            }
+    }
+    makeFolder();
+    if (resumeAt_) writeAtomically(file_, text);
     errno = 0;
-    stream_.open(file, std::ios::trunc);
+    stream_.open(file_, resumeAt_ ? std::ios::app : std::ios::trunc);
+    resumeAt_.reset();
     if (!stream_)
-        throw UserError("cannot write \"" + file.string() + "\": " + std::strerror(errno),
-                        {file.string(), 0});
+        throw UserError("cannot write \"" + file_.string() + "\": " + std::strerror(errno),
+                        {file_.string(), 0});
 }
 
 void Table::line(const std::string& text) {
+    const bool comment = !text.empty() && text[0] == '#';
+    if (comment) head_.push_back(text);
+    if (resumeAt_ && comment) return;
+    if (resumeAt_) begin();
     errno = 0;
     stream_ << text << std::endl;
     if (!stream_)
@@ -42,15 +86,33 @@ void Table::header(const std::vector<std::string>& titles) {
     line(text);
 }
 
-void Table::row(const std::vector<std::string>& columns) {
+std::string Table::rowText(const std::vector<std::string>& columns) const {
     std::string text;
     for (std::size_t i = 0; i < columns.size(); ++i)
         text += fmt::format("{}{:>{}}", i == 0 ? "" : " ", columns[i], width());
-    line(text);
+    return text;
+}
+
+void Table::row(const std::vector<std::string>& columns) {
+    line(rowText(columns));
+}
+
+void Table::replaceRows(const std::vector<std::vector<std::string>>& rows) {
+    makeFolder();
+    std::string text = joined(head_);
+    for (const auto& row : rows) text += rowText(row) + "\n";
+    stream_.close();
+    writeAtomically(file_, text);
+    resumeAt_.reset();
+    stream_.open(file_, std::ios::app);
 }
 
 std::string Table::number(double value) const {
     return fmt::format("{:.{}g}", value, precision_);
+}
+
+std::string Table::time(double value) const {
+    return timeText(value, precision_);
 }
 
 std::string Table::tuple(const std::vector<double>& values) const {

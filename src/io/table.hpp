@@ -3,15 +3,21 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace pfem {
 
-/// Lines of a file that is begun anew. Throws UserError when it cannot be written.
+/// Lines of a file. Throws UserError when it cannot be written.
+///
+/// Without `resumeAt` the file is begun anew. With the time [s] at which a run goes on, the table of the run before is
+/// continued when its columns are the same: its rows up to that time stay, later ones (of a run that was killed) go,
+/// so that the file becomes that of a run that was never stopped. Otherwise `file` is begun. Which one it is shows at the
+/// first row.
 class Table {
 public:
-    Table(const std::filesystem::path& file, int precision);
+    Table(const std::filesystem::path& file, int precision, std::optional<double> resumeAt = {});
 
     /// "# text"
     void comment(const std::string& text);
@@ -22,8 +28,12 @@ public:
     /// Right-aligned columns of width precision + 7; what is a scalar or already text ("(1 2 3)").
     void row(const std::vector<std::string>& columns);
 
-    /// A number at the table's precision.
+    /// All rows at once in place of those that are there; the file changes in one instant.
+    void replaceRows(const std::vector<std::vector<std::string>>& rows);
+
+    /// A number at the table's precision; a time with more digits.
     std::string number(double value) const;
+    std::string time(double value) const;
     /// "(1 2 3)", padded as OpenFOAM pads: the width counts for the opening bracket only.
     std::string tuple(const std::vector<double>& values) const;
 
@@ -33,9 +43,15 @@ public:
     void line(const std::string& text);
 
 private:
+    void begin();
+    void makeFolder() const;
+    std::string rowText(const std::vector<std::string>& columns) const;
+
     std::filesystem::path file_;
     std::ofstream stream_;
     int precision_;
+    std::optional<double> resumeAt_;  // until the first row
+    std::vector<std::string> head_;   // the comments before the first row
 };
 
 }  // namespace pfem

@@ -71,12 +71,16 @@ bool haveEdge(const Handles& handle, const Face<2>& face) {
 }
 
 void insertFixed(Cdt& cdt, const Handles& handle, const std::vector<Face<2>>& faces) {
-    try {
-        for (const auto& face : faces)
+    const auto place = [&](int node) {
+        const auto& p = handle[node]->point();
+        return "(" + std::to_string(p.x()) + " " + std::to_string(p.y()) + ")";
+    };
+    for (const auto& face : faces)
+        try {
             if (haveEdge(handle, face)) cdt.insert_constraint(handle[face[0]], handle[face[1]]);
-    } catch (const Cdt::Intersection_of_constraints_exception&) {
-        throw StepFailure("walls and solids cross each other");
-    }
+        } catch (const Cdt::Intersection_of_constraints_exception&) {
+            throw StepFailure("walls and solids cross each other between " + place(face[0]) + " and " + place(face[1]));
+        }
 }
 
 /// False when the triangulation was spoilt by crossing edges that the check had not seen.

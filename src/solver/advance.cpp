@@ -5,6 +5,7 @@
 #include "mesh/standing.hpp"
 #include "remesh/penetration.hpp"
 #include "remesh/wallContact.hpp"
+#include "solver/invariants.hpp"
 
 namespace pfem {
 
@@ -64,22 +65,58 @@ double fluidDensity(const Problem<Dim>& problem) {
     return rho;
 }
 
-/// The step with its repetitions.
+/// The state after a step of report.dt with its new connectivity. Throws FailedStep when it cannot be accepted.
 template <int Dim>
-StepResult<Dim> stepWithRetries(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state,
-                                const Topology<Dim>& topology, double dt, double divTarget, AdvanceReport& report) {
-    const auto& limits = controls.convergence;
-    for (report.dt = dt;; report.dt *= 0.5) {
-        try {
-            return fsiStep<Dim>(problemAt<Dim>(state.time.value + report.dt, problem), controls, state.mesh, topology,
-                                constraintsOver<Dim>(0, report.dt, problem, state, topology), state.nodes,
-                                report.dt, divTarget);
-        } catch (const StepFailure& failure) {
-            ++report.rejected;
-            report.reasons.push_back(failure.what());
-            if (report.rejected > limits.maxHalvings || 0.5 * report.dt < limits.deltaTMin) throw;
-        }
+State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, const State<Dim>& last,
+                   AdvanceReport& report) {
+    const Problem<Dim> problem = problemAt<Dim>(last.time.value + report.dt, problemOfRun);
+    State<Dim> state = last;
+    report.mesh = {};
+    const double start = now();
+    const auto& kinds = problem.conditions.kind;
+    const auto topology = beginStep<Dim>(problem, report.dt, state);
+    const auto constraints = constraintsOver<Dim>(0, report.dt, problem, state, topology);
+
+    const double volume = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes);
+    const double divTarget = volumeCorrection<Dim>(state, controls.continuity.volumeCorrectionTime, report.dt);
+    auto result = fsiStep<Dim>(problem, controls, state.mesh, topology, constraints, state.nodes, report.dt, divTarget);
+    report.step = result.report;
+    const std::vector<int> wallsOld = state.nodes.wall;
+    const Points<Dim> xOld = std::move(state.nodes.x);
+    state.nodes = std::move(result.nodes);
+    state.mesh.solid.sigma = std::move(result.cellSigma);
+
+    const double moved = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes);
+    const double correction = divTarget * volume * report.dt;
+    state.ledger["correction"] += correction;
+    state.ledger["solver"] += moved - volume - correction;
+    const double stepped = now();
+    report.seconds[0] += stepped - start;
+
+    try {
+        if (problem.conditions.anyMotion()) standOnWalls(state.mesh, wallPatches(kinds), state.nodes);
+        releaseFromWalls<Dim>(controls.remeshing, topology, problem.gravity, fluidDensity<Dim>(problem), state.nodes);
+        state.ledger["released"] += cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes) - moved;
+        landOnWalls<Dim>(controls.remeshing, topology, xOld, state);
+        report.returned = returnPenetrating<Dim>(topology, controls.remeshing.wallDistance, state);
+        const auto& cells = state.mesh.fluid.nodes;
+        const bool wallsChanged = wallsOld != state.nodes.wall || report.returned > 0;
+        if (wallsChanged || isDistorted(controls.remeshing.distortion, state.nodes.x, cells))
+            report.mesh = remesh<Dim>(controls.remeshing, kinds,
+                                      wallsOld == state.nodes.wall
+                                          ? topology
+                                          : makeTopology<Dim>(state.mesh, kinds, state.nodes.wall),
+                                      report.dt, state);
+    } catch (const StepFailure& failure) {  // the new mesh is unfinished
+        throw FailedStep<Dim>(failure, withNodesOf<Dim>(last, state.nodes));
     }
+    try {
+        checkInvariants<Dim>(controls.convergence, topology, last, state);
+    } catch (const StepFailure& failure) {
+        throw FailedStep<Dim>(failure, std::move(state));
+    }
+    report.seconds[1] += now() - stepped;
+    return state;
 }
 
 }  // namespace
@@ -98,43 +135,19 @@ std::pair<double, double> courantRate(const State<Dim>& state) {
 template <int Dim>
 AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, State<Dim>& last, double dt) {
     AdvanceReport report;
-    State<Dim> state = last;  // whatever fails below, the last good state stays
-    const double start = now();
-    const auto& kinds = problem.conditions.kind;
-    const auto topology = beginStep<Dim>(problem, dt, state);
-
-    const double volume = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes);
-    const double divTarget = volumeCorrection<Dim>(state, controls.continuity.volumeCorrectionTime, dt);
-    auto result = stepWithRetries<Dim>(problem, controls, state, topology, dt, divTarget, report);
-    report.step = result.report;
-    const std::vector<int> wallsOld = state.nodes.wall;
-    const Points<Dim> xOld = std::move(state.nodes.x);
-    state.nodes = std::move(result.nodes);
-    state.mesh.solid.sigma = std::move(result.cellSigma);
-
-    const double moved = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes);
-    const double correction = divTarget * volume * report.dt;
-    state.ledger["correction"] += correction;
-    state.ledger["solver"] += moved - volume - correction;
-    report.seconds[0] = now() - start;
-
-    if (problem.conditions.anyMotion()) standOnWalls(state.mesh, wallPatches(kinds), state.nodes);
-    const Vec<Dim> gravity = problemAt<Dim>(state.time.value + report.dt, problem).gravity;
-    releaseFromWalls<Dim>(controls.remeshing, topology, gravity, fluidDensity<Dim>(problem), state.nodes);
-    state.ledger["released"] += cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes) - moved;
-    landOnWalls<Dim>(controls.remeshing, topology, xOld, state);
-    report.returned = returnPenetrating<Dim>(topology, controls.remeshing.wallDistance, state);
-    const auto& cells = state.mesh.fluid.nodes;
-    const bool wallsChanged = wallsOld != state.nodes.wall || report.returned > 0;
-    if (wallsChanged || isDistorted(controls.remeshing.distortion, state.nodes.x, cells))
-        report.mesh = remesh<Dim>(controls.remeshing, kinds,
-                                  wallsOld == state.nodes.wall
-                                      ? topology
-                                      : makeTopology<Dim>(state.mesh, kinds, state.nodes.wall),
-                                  report.dt, state);
-    report.seconds[1] = now() - start - report.seconds[0];
-    last = std::move(state);
-    return report;
+    const auto& limits = controls.convergence;
+    checkSpeed<Dim>(limits, last.nodes);
+    for (report.dt = dt;; report.dt *= 0.5) {
+        try {
+            State<Dim> next = attempt<Dim>(problem, controls, last, report);
+            last = std::move(next);
+            return report;
+        } catch (const StepFailure& failure) {  // `last` stays as it was
+            ++report.rejected;
+            report.reasons.push_back(failure.what());
+            if (report.rejected > limits.maxHalvings || 0.5 * report.dt < limits.deltaTMin) throw;
+        }
+    }
 }
 
 template <int Dim>

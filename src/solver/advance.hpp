@@ -1,5 +1,5 @@
 #pragma once
-// One accepted time step: Algorithm 1 with rejection and repetition, then new connectivity.
+// One accepted time step: Algorithm 1 and new connectivity, with rejection and repetition.
 
 #include "remesh/remesh.hpp"
 #include "solver/fsiStep.hpp"
@@ -17,8 +17,8 @@ struct AdvanceReport {
 };
 
 /// Advance `state` by dt or, after rejected tries, by dt/2, dt/4, ...; state.time is left to the caller.
-/// Fluid volume by cause is added to state.ledger. Throws StepFailure after maxHalvings or below deltaTMin; the
-/// state is then the last good one.
+/// Fluid volume by cause is added to state.ledger. A try counts when it obeys solver/invariants.hpp. Throws FailedStep
+/// (or another StepFailure) after maxHalvings or below deltaTMin; the state is then the last good one.
 template <int Dim>
 AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, State<Dim>& state, double dt);
 

@@ -16,6 +16,7 @@ struct ConvergenceControls {
     int refactorEvery = 8;
     int maxHalvings = 8;
     double deltaTMin = 1e-9;
+    double maxVolumeChange = 0.1;
 
     template <class Visitor>
     void entries(Visitor& v) {
@@ -26,7 +27,10 @@ struct ConvergenceControls {
         v("refactorEvery", refactorEvery, "-",
           "iterations after which the pressure matrix is made anew in the current configuration", atLeast(1));
         v("maxHalvings", maxHalvings, "-", "halvings of one step before the run stops", atLeast(0));
-        v("deltaTMin", deltaTMin, "s", "smallest step before the run stops", positive);
+        v("deltaTMin", deltaTMin, "s",
+          "smallest step before the run stops; also when a node would cross its mesh size within it", positive);
+        v("maxVolumeChange", maxVolumeChange, "-",
+          "change of the fluid's volume within one step, in parts of it, at which the step is rejected", positive);
     }
 };
 

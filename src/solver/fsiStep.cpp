@@ -57,24 +57,30 @@ void checkPatches(const Patches<Dim>& fluid, const Patches<Dim>& solid, const No
     const auto place = [&](const Vec<Dim>& x) { return fmt::format("({:.6g} {:.6g})", x[0], x[1]); };
     for (int e = 0; e < solid.nCells(); ++e)
         if (!(solid.element[e].measure > 0))
-            throw StepFailure("solid element inverted at " + place(simplexCentroid<Dim>(nodes.x, solid.cell(e))));
+            throw StepFailure("solid element inverted at " + place(simplexCentroid<Dim>(nodes.x, solid.cell(e))),
+                              idsOf<Dim>(nodes, solid.cell(e)));
     for (int i = 0; i < fluid.nNodes(); ++i)
         if (fluid.around->count(i) > 0 && !(fluid.volume[i] > 0))
-            throw StepFailure(fmt::format("fluid patch of node {} inverted at {}", nodes.id[i], place(nodes.x[i])));
+            throw StepFailure(fmt::format("fluid patch of node {} inverted at {}", nodes.id[i], place(nodes.x[i])),
+                              {nodes.id[i]});
 }
 
-/// Where the pressure still changes most: for the message of a step that did not converge.
+/// A step that did not converge: how far it came, and where the pressure still changes most.
 template <int Dim>
-std::string worstPlace(const std::vector<double>& dp, const Nodes<Dim>& nodes, const Topology<Dim>& topology,
-                       const Patches<Dim>& fluid) {
+StepFailure notConverged(const StepReport& report, const std::vector<double>& dp, const Nodes<Dim>& nodes,
+                         const Topology<Dim>& topology, const Patches<Dim>& fluid) {
+    const auto text = fmt::format("no convergence in {} iterations: |dv|/|v| = {:.3g}, |dp|/|p| = {:.3g}",
+                                  report.iterations, report.finalU, report.finalP);
     const auto worst = std::max_element(dp.begin(), dp.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-    if (worst == dp.end()) return "";
+    if (worst == dp.end() || *worst == 0) return StepFailure(text);
     const int i = static_cast<int>(worst - dp.begin());
     double least = std::numeric_limits<double>::max();
     for (int s = topology.fluid.start[i]; s < topology.fluid.start[i + 1]; ++s)
         least = std::min(least, fluid.element[topology.fluid.cell[s]].measure);
-    return fmt::format("; worst at ({:.6g} {:.6g}), node {} with {} triangles, smallest {:.3g} h^{}", nodes.x[i][0],
-                       nodes.x[i][1], nodes.id[i], topology.fluid.count(i), least / std::pow(nodes.h[i], Dim), Dim);
+    return StepFailure(text + fmt::format("; worst at ({:.6g} {:.6g}), node {} with {} triangles, smallest {:.3g} h^{}",
+                                          nodes.x[i][0], nodes.x[i][1], nodes.id[i], topology.fluid.count(i),
+                                          least / std::pow(nodes.h[i], Dim), Dim),
+                       {nodes.id[i]});
 }
 
 /// Largest density times g times the mean node distance: the pressure that one layer of fluid makes. The part of the
@@ -97,14 +103,12 @@ std::vector<double> nodalMass(const Problem<Dim>& problem, const Mesh<Dim>& mesh
     return mass;
 }
 
-}  // namespace
-
+/// The step. `trial`: state n on entry; what was reached when it throws.
 template <int Dim>
-StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, const Mesh<Dim>& mesh,
+StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, const Mesh<Dim>& mesh,
                         const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,
-                        const Nodes<Dim>& old, double dt, double divTarget) {
+                        const Nodes<Dim>& old, double dt, double divTarget, Nodes<Dim>& trial) {
     const Newmark newmark{dt, controls.timeIntegration.gamma};
-    Nodes<Dim> trial = old;
 
     // the matrices, at x^n, once per step
     const Integration scheme = controls.integration.scheme();
@@ -130,9 +134,7 @@ StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, c
     const int waiting = collapses<Dim>(fluid, trial.x) ? 2 : 0;
     for (bool converged = false; !converged;) {
         if (report.iterations == controls.convergence.maxIterations)
-            throw StepFailure(fmt::format("no convergence in {} iterations: |dv|/|v| = {:.3g}, |dp|/|p| = {:.3g}{}",
-                                          report.iterations, report.finalU, report.finalP,
-                                          worstPlace<Dim>(dp, trial, topology, fluid)));
+            throw notConverged<Dim>(report, dp, trial, topology, fluid);
         // patches, stresses, momentum residual, velocities
         updatePatches<Dim>(fluid, report.iterations < waiting ? old.x : trial.x);
         updatePatches<Dim>(solid, trial.x);
@@ -171,6 +173,20 @@ StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, c
     StepResult<Dim> result{std::move(trial), {}, report};
     storeSolidStress<Dim>(solid, std::move(stressOfSolid), result.nodes.sigma, result.cellSigma);
     return result;
+}
+
+}  // namespace
+
+template <int Dim>
+StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, const Mesh<Dim>& mesh,
+                        const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,
+                        const Nodes<Dim>& old, double dt, double divTarget) {
+    Nodes<Dim> trial = old;
+    try {
+        return iterate<Dim>(problem, controls, mesh, topology, constraints, old, dt, divTarget, trial);
+    } catch (const StepFailure& failure) {
+        throw FailedStep<Dim>(failure, std::move(trial), mesh);
+    }
 }
 
 template <int Dim>

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "solver/controls.hpp"
+#include "solver/failedStep.hpp"
 #include "state/problem.hpp"
 
 namespace pfem {
@@ -25,7 +26,7 @@ struct StepResult {
 
 /// From state n to n+1 over dt. `divTarget`: wanted divergence of the fluid [1/s], 0 without volume correction.
 /// The velocities in `old` obey the constraints.
-/// Throws StepFailure when the step cannot be accepted; `old` is untouched.
+/// Throws FailedStep with the nodes of the last trial when the step cannot be accepted; `old` is untouched.
 template <int Dim>
 StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, const Mesh<Dim>& mesh,
                         const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,

@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include <fstream>
+#include <optional>
 
 #include "base/error.hpp"
 #include "io/atomicFile.hpp"
@@ -120,6 +121,37 @@ TEST(Table, ColumnsOfOpenFoam) {
               "#        Time\n"
               "    0.0087317       938.395     -0.219067       -1e+300\n"
               "          0.1             (1 2.5 0)\n");
+}
+
+/// A table of `columns` columns with rows at these times, begun at `start`.
+void writeRows(const fs::path& folder, const std::string& start, std::optional<double> resumeAt,
+               const std::vector<double>& times, int columns = 1) {
+    Table table(folder / start / "p", 6, resumeAt);
+    table.header(std::vector<std::string>(static_cast<std::size_t>(columns) + 1, "Time"));
+    for (const double time : times) {
+        std::vector<std::string> row{table.time(time)};
+        for (int c = 0; c < columns; ++c) row.push_back(table.number(2 * time));
+        table.row(row);
+    }
+}
+
+TEST(Table, ARestartedRunGoesOnWithIt) {
+    const TemporaryFolder folder;
+    const double t = 0.123456789012345;  // the folder's name is rounded
+    writeRows(folder.path(), "0", {}, {0, 0.1, t, t + 1e-9, 0.2, 0.3});
+    const std::string whole = readText(folder.path() / "0/p");
+    std::ofstream(folder.path() / "0/p", std::ios::app) << "   0.1";  // killed in the middle of a line
+    writeRows(folder.path(), "0.123457", t, {t + 1e-9, 0.2, 0.3});
+    EXPECT_EQ(readText(folder.path() / "0/p"), whole);
+    EXPECT_FALSE(fs::exists(folder.path() / "0.123457"));
+    writeRows(folder.path(), "0.3", 0.3, {});  // no row: nothing happens
+    EXPECT_EQ(readText(folder.path() / "0/p"), whole);
+
+    writeRows(folder.path(), "0.2", 0.2, {0.25}, 2);  // other columns: a table of its own
+    EXPECT_EQ(readText(folder.path() / "0/p"), whole);
+    EXPECT_TRUE(fs::exists(folder.path() / "0.2/p"));
+    writeRows(folder.path(), "0.25", 0.25, {0.3}, 2);
+    EXPECT_NE(readText(folder.path() / "0.2/p").find("0.6"), std::string::npos);
 }
 
 }  // namespace pfem

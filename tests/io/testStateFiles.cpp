@@ -70,6 +70,7 @@ TEST(StateFiles, OnlyFluidOnlySolidOnlyParticles) {
 
 TEST(StateFiles, SameStateSameBytes) {
     const TemporaryFolder folder;
+    for (const char* name : {"a", "b"}) fs::create_directory(folder.path() / name);  // a case is never made by writing into it
     writeState(folder.path() / "a" / "1", sampleState());
     writeState(folder.path() / "b" / "1", sampleState());
     for (const char* file : allFiles)

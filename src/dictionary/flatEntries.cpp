@@ -1,0 +1,46 @@
+#include "dictionary/flatEntries.hpp"
+
+#include "dictionary/node.hpp"
+#include "dictionary/print.hpp"
+
+namespace pfem {
+
+namespace {
+
+void collect(const Dictionary& dictionary, const std::string& scope, std::map<std::string, std::string>& flat) {
+    for (const auto& entry : dictionary.node()->entries) {
+        if (scope.empty() && entry.key == headerKey) continue;
+        const std::string path = scope + entry.key;
+        if (!entry.dict)
+            flat[path] = spelling(entry.tokens);
+        else if (entry.dict->node()->entries.empty())
+            flat[path] = "{}";
+        else
+            collect(*entry.dict, path + ".", flat);
+    }
+}
+
+}  // namespace
+
+std::map<std::string, std::string> flatEntries(const Dictionary& dictionary) {
+    std::map<std::string, std::string> flat;
+    collect(dictionary, "", flat);
+    return flat;
+}
+
+std::string differences(const std::map<std::string, std::string>& before, const std::map<std::string, std::string>& now,
+                        const std::string& indent) {
+    std::string text;
+    for (const auto& [key, value] : now) {
+        const auto old = before.find(key);
+        if (old == before.end())
+            text += indent + key + ": " + value + ", not there before\n";
+        else if (old->second != value)
+            text += indent + key + ": " + old->second + " -> " + value + "\n";
+    }
+    for (const auto& [key, value] : before)
+        if (now.count(key) == 0) text += indent + key + ": removed (was " + value + ")\n";
+    return text;
+}
+
+}  // namespace pfem

@@ -1,0 +1,108 @@
+#include "solver/failedStep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mesh/simplex.hpp"
+
+namespace pfem {
+
+namespace {
+
+/// Make the numbers of node i finite; true when they were not.
+template <int Dim>
+bool mend(Nodes<Dim>& nodes, int i, const Nodes<Dim>& last) {
+    const auto finite = [](const auto& u) { return u.allFinite(); };
+    bool mended = false;
+    if (!finite(nodes.x[i])) {
+        const auto before = std::lower_bound(last.id.begin(), last.id.end(), nodes.id[i]);
+        const bool known = before != last.id.end() && *before == nodes.id[i];
+        nodes.x[i] = known ? last.x[before - last.id.begin()] : nodes.X[i];
+        mended = true;
+    }
+    for (auto* u : {&nodes.v[i], &nodes.a[i]})
+        if (!finite(*u)) {
+            u->setZero();
+            mended = true;
+        }
+    if (!finite(nodes.sigma[i])) {
+        nodes.sigma[i].setZero();
+        mended = true;
+    }
+    if (!std::isfinite(nodes.p[i])) {
+        nodes.p[i] = 0;
+        mended = true;
+    }
+    return mended;
+}
+
+template <int Dim>
+void flagFastest(const Nodes<Dim>& nodes, std::vector<unsigned char>& failed) {
+    const auto fastest = std::max_element(nodes.v.begin(), nodes.v.end(), [](const auto& a, const auto& b) {
+        return a.squaredNorm() < b.squaredNorm();
+    });
+    if (fastest != nodes.v.end()) failed[fastest - nodes.v.begin()] = 1;
+}
+
+}  // namespace
+
+template <int Dim>
+std::string placeText(const Vec<Dim>& x) {
+    std::string text = "(";
+    for (int c = 0; c < Dim; ++c) text += fmt::format("{}{:.6g}", c > 0 ? " " : "", x[c]);
+    return text + ")";
+}
+
+template <int Dim>
+State<Dim> withNodesOf(State<Dim> last, const Nodes<Dim>& nodes) {
+    for (int i = 0, j = 0; i < last.nodes.size(); ++i) {  // both sorted by id
+        while (j < nodes.size() && nodes.id[j] < last.nodes.id[i]) ++j;
+        if (j == nodes.size() || nodes.id[j] != last.nodes.id[i]) continue;
+        last.nodes.x[i] = nodes.x[j];
+        last.nodes.v[i] = nodes.v[j];
+        last.nodes.a[i] = nodes.a[j];
+        last.nodes.p[i] = nodes.p[j];
+        last.nodes.sigma[i] = nodes.sigma[j];
+        last.nodes.wall[i] = nodes.wall[j];
+    }
+    return last;
+}
+
+template <int Dim>
+Inspection<Dim> inspect(const FailedStep<Dim>& failure, const State<Dim>& last) {
+    Inspection<Dim> result{failure.trial(), {}, ""};
+    State<Dim>& state = result.state;
+    Nodes<Dim>& nodes = state.nodes;
+    result.failed.assign(nodes.id.size(), 0);
+    for (int i = 0; i < nodes.size(); ++i) result.failed[i] = mend(nodes, i, last.nodes);
+    for (auto& sigma : state.mesh.solid.sigma)
+        if (!sigma.allFinite()) sigma.setZero();
+    for (const auto& cell : state.mesh.solid.nodes)
+        if (!(simplexMeasure<Dim>(nodes.x, cell) > 0))
+            for (int i : cell) result.failed[i] = 1;
+    for (const Id id : failure.nodes()) {
+        const auto found = std::lower_bound(nodes.id.begin(), nodes.id.end(), id);
+        if (found != nodes.id.end() && *found == id) result.failed[found - nodes.id.begin()] = 1;
+    }
+    if (std::count(result.failed.begin(), result.failed.end(), 0) == nodes.size())
+        flagFastest(nodes, result.failed);
+
+    state.time = last.time;
+    state.nextId = std::max(last.nextId, nodes.id.empty() ? 0 : nodes.id.back() + 1);
+    state.ledger = last.ledger;
+    int named = 0;
+    for (int i = 0; i < nodes.size(); ++i) {
+        if (!result.failed[i] || ++named > 5) continue;
+        result.text += fmt::format("    node {} at {}, |U| = {:.3g} m/s, p = {:.3g} Pa\n", nodes.id[i],
+                                   placeText<Dim>(nodes.x[i]), nodes.v[i].norm(), nodes.p[i]);
+    }
+    if (named > 5) result.text += fmt::format("    and {} more\n", named - 5);
+    return result;
+}
+
+template State<2> withNodesOf<2>(State<2>, const Nodes<2>&);
+template std::string placeText<2>(const Vec<2>&);
+template Inspection<2> inspect<2>(const FailedStep<2>&, const State<2>&);
+
+}  // namespace pfem

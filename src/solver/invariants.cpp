@@ -1,0 +1,138 @@
+#include "solver/invariants.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "mesh/simplex.hpp"
+#include "solver/failedStep.hpp"
+#include "state/volume.hpp"
+
+namespace pfem {
+
+namespace {
+
+template <int Dim>
+[[noreturn]] void fail(const Nodes<Dim>& nodes, int i, const std::string& what) {
+    throw StepFailure(fmt::format("node {} at {} {}", nodes.id[i], placeText<Dim>(nodes.x[i]), what), {nodes.id[i]});
+}
+
+template <int Dim>
+void checkFinite(const Nodes<Dim>& nodes) {
+    for (int i = 0; i < nodes.size(); ++i)
+        if (!nodes.x[i].allFinite() || !nodes.v[i].allFinite() || !nodes.a[i].allFinite() ||
+            !std::isfinite(nodes.p[i]) || !nodes.sigma[i].allFinite())
+            fail<Dim>(nodes, i, "has a value that is not finite");
+}
+
+template <int Dim>
+void checkCells(const char* kind, const Nodes<Dim>& nodes, const std::vector<Simplex<Dim>>& cells) {
+    for (const auto& cell : cells)
+        if (!(simplexMeasure<Dim>(nodes.x, cell) > -1e-9 * nodes.h[cell[0]] * nodes.h[cell[0]]))  // flat ones are harmless
+            throw StepFailure(fmt::format("{} element with the nodes {} {} {} inverted at {}", kind, nodes.id[cell[0]],
+                                          nodes.id[cell[1]], nodes.id[cell[2]],
+                                          placeText<Dim>(simplexCentroid<Dim>(nodes.x, cell))),
+                              idsOf<Dim>(nodes, cell));
+}
+
+/// Did a point pass through a face from its front (left) to its back while both moved? With more than `slack` on both
+/// sides, and within the face on the way; one that stood on the face (and slides over its end) where it arrived.
+bool crossed(const Face<2>& face, const Points<2>& faceOld, const Points<2>& faceNew, const Vec<2>& xOld,
+             const Vec<2>& xNew, double slack) {
+    const auto distance = [&](const Points<2>& x, const Vec<2>& point) {
+        return -faceArea<2>(x, face).normalized().dot(point - x[face[0]]);
+    };
+    const double before = distance(faceOld, xOld), after = distance(faceNew, xNew);
+    if (!(before > -slack && after < -slack)) return false;
+    const double part = before > slack ? before / (before - after) : 1;  // of the way
+    const Vec<2> place = xOld + part * (xNew - xOld);
+    const Vec<2> a = faceOld[face[0]] + part * (faceNew[face[0]] - faceOld[face[0]]);
+    const Vec<2> b = faceOld[face[1]] + part * (faceNew[face[1]] - faceOld[face[1]]);
+    const double s = (place - a).dot(b - a) / (b - a).squaredNorm();
+    return s > 0 && s < 1;
+}
+
+/// Old positions of the nodes of `next` that exist in `last`; of the others, the new ones.
+template <int Dim>
+Points<Dim> oldPositions(const Nodes<Dim>& last, const Nodes<Dim>& next) {
+    Points<Dim> x = next.x;
+    for (int i = 0, j = 0; i < next.size(); ++i) {  // both sorted by id
+        while (j < last.size() && last.id[j] < next.id[i]) ++j;
+        if (j < last.size() && last.id[j] == next.id[i]) x[i] = last.x[j];
+    }
+    return x;
+}
+
+/// Nodes that went through rigid walls. Faces of patches keep their corners, with other indices in `next`.
+void checkWalls(const Topology<2>& topology, const Points<2>& xOld, const State<2>& next) {
+    std::vector<unsigned char> held(next.nodes.id.size(), 0);  // solids and corners go their own ways
+    for (const auto& cell : next.mesh.solid.nodes)
+        for (int i : cell) held[i] = 1;
+    for (const auto& patch : next.mesh.patches)
+        for (const auto& face : patch.faces)
+            for (int i : face) held[i] = 1;
+    std::size_t w = 0;
+    for (const auto& patch : next.mesh.patches)
+        for (const auto& face : patch.faces) {
+            if (topology.walls[w++].patch < 0) continue;
+            for (int i = 0; i < next.nodes.size(); ++i)
+                if (next.nodes.wall[i] < 0 && !held[i] &&
+                    crossed(face, xOld, next.nodes.x, xOld[i], next.nodes.x[i], 0.01 * next.nodes.h[i]))
+                    fail<2>(next.nodes, i, "went through the wall '" + patch.name + "'");
+        }
+}
+
+/// Nodes that went through a solid. Only one that moves farther than half of the solid's mesh size can do so unseen:
+/// what is inside a solid after a step has been put out again on the nearer side.
+void checkSolids(const Points<2>& xOld, const State<2>& next) {
+    if (next.mesh.solid.nodes.empty()) return;
+    const Nodes<2>& nodes = next.nodes;
+    std::vector<unsigned char> onSolid(nodes.id.size(), 0);
+    double h = std::numeric_limits<double>::max(), solidMotion = 0;
+    for (const auto& cell : next.mesh.solid.nodes)
+        for (int i : cell) {
+            onSolid[i] = 1;
+            h = std::min(h, nodes.h[i]);
+            solidMotion = std::max(solidMotion, (nodes.x[i] - xOld[i]).norm());
+        }
+    std::vector<Face<2>> faces;
+    for (int i = 0; i < nodes.size(); ++i) {
+        if (onSolid[i] || (nodes.x[i] - xOld[i]).norm() + solidMotion < 0.5 * h) continue;
+        if (faces.empty())
+            for (const auto& face :
+                 boundaryFaces<2>(next.mesh.solid.nodes, nodeToCells<2>(next.mesh.solid.nodes, nodes.size())))
+                faces.push_back({face.nodes[1], face.nodes[0]});  // the fluid's side is the front
+        for (const auto& face : faces)
+            if (crossed(face, xOld, nodes.x, xOld[i], nodes.x[i], 0.01 * h))
+                fail<2>(nodes, i, "went through a solid");
+    }
+}
+
+}  // namespace
+
+template <>
+void checkInvariants<2>(const ConvergenceControls& controls, const Topology<2>& topology, const State<2>& last,
+                        const State<2>& next) {
+    checkFinite<2>(next.nodes);
+    checkCells<2>("solid", next.nodes, next.mesh.solid.nodes);
+    checkCells<2>("fluid", next.nodes, next.mesh.fluid.nodes);
+    const Points<2> xOld = oldPositions<2>(last.nodes, next.nodes);
+    checkWalls(topology, xOld, next);
+    checkSolids(xOld, next);
+    const double before = totalVolume<2>(last), after = totalVolume<2>(next);
+    if (std::abs(after - before) > controls.maxVolumeChange * before)
+        throw StepFailure(fmt::format("the fluid's volume changed from {:.6g} to {:.6g} in one step", before, after));
+}
+
+template <int Dim>
+void checkSpeed(const ConvergenceControls& controls, const Nodes<Dim>& nodes) {
+    for (int i = 0; i < nodes.size(); ++i)
+        if (!(nodes.v[i].norm() * controls.deltaTMin <= nodes.h[i]))
+            fail<Dim>(nodes, i, fmt::format("moves with {:.3g} m/s: through its mesh size within deltaTMin = {:.3g} s",
+                                            nodes.v[i].norm(), controls.deltaTMin));
+}
+
+template void checkSpeed<2>(const ConvergenceControls&, const Nodes<2>&);
+
+}  // namespace pfem
