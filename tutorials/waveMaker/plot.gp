@@ -38,6 +38,8 @@ set title "The piston"
 set ylabel "displacement [mm]"
 set y2label "horizontal force of the water on the piston [N/m]"
 set y2tics
+set yrange [-11:14]
+set y2range [-475:-405]
 set ytics nomirror
 plot 1e3*s*(x < 2 ? x/2 : 1)*sin(w*x) with lines lw 2 lc rgb "#0077bb" title "displacement", \
      "< pfemHistory -csv force force.dat" using 1:2 axes x1y2 with lines lw 1.2 lc rgb "#cc3311" title "force"
