@@ -1,100 +1,93 @@
-// Shows what a dictionary says: with macros and includes resolved, one entry, or the keywords.
+// Shows and changes what a dictionary says: with macros and includes resolved, one entry, or the keywords.
 
 #include <iostream>
 
+#include "application/runApplication.hpp"
 #include "dictionary/dictionary.hpp"
+#include "dictionary/edit.hpp"
 #include "dictionary/print.hpp"
+#include "io/atomicFile.hpp"
+
+using namespace pfem;
 
 namespace {
 
-const char* const usage =
-    "Usage: pfemDictionary [OPTIONS] <file>\n"
-    "Options:\n"
-    "  -entry <a/b>      only this entry; names separated by '/' or '.'\n"
-    "  -expand           all entries with macros and includes resolved (default)\n"
-    "  -keywords         the keywords only\n"
-    "  -value            the value of the entry without its keyword\n"
-    "  -help             this text\n";
-
-struct Options {
-    std::string file, entry;
-    bool keywords = false, value = false;
-};
-
-/// False if the program is to end with the usage text.
-bool parseArguments(int argc, char** argv, Options& options) {
-    for (int i = 1; i < argc; ++i) {
-        const std::string word = argv[i];
-        if (word == "-expand") continue;
-        if (word == "-keywords")
-            options.keywords = true;
-        else if (word == "-value")
-            options.value = true;
-        else if (word == "-entry" && i + 1 < argc)
-            options.entry = argv[++i];
-        else if (!word.starts_with('-') && options.file.empty())
-            options.file = word;
-        else {
-            std::cerr << usage << "\nInvalid option: " << word << '\n';
-            return false;
-        }
-    }
-    if (options.file.empty()) std::cerr << usage << "\nA file is needed\n";
-    return !options.file.empty();
+OptionsSpec dictionaryOptions() {
+    OptionsSpec spec;
+    spec.arguments = {"file"};
+    spec.add("entry", "a/b", "Only this entry; names separated by '/' or '.'");
+    spec.add("expand", "", "All entries with macros and includes resolved (default)");
+    spec.add("keywords", "", "The keywords only");
+    spec.add("value", "", "The value of the entry without its keyword");
+    spec.add("set", "value", "Give the entry this value, or add it: comments and layout of the file stay");
+    spec.add("add", "value", "Add the entry; an error when it is there already");
+    return spec.add("remove", "", "Remove the entry");
 }
 
-void show(const Options& options) {
-    using namespace pfem;
-    Dictionary dictionary = Dictionary::read(options.file);
-    std::string key = options.entry;
-    for (auto cut = key.find('/'); cut != std::string::npos; cut = key.find('/')) {
-        dictionary = Dictionary(dictionary.subDict(key.substr(0, cut)));
+/// The entry's scopes and, last, its name. Keys may contain dots themselves: these part only where the whole
+/// name is no key.
+std::vector<std::string> pathOf(std::string key, Dictionary dictionary) {
+    std::vector<std::string> path;
+    const auto descend = [&](std::size_t cut) {
+        path.push_back(key.substr(0, cut));
+        dictionary = Dictionary(dictionary.subDict(path.back()));
         key.erase(0, cut + 1);
-    }
-    // Keys may contain dots themselves: descend only where the whole name is no key.
+    };
+    for (auto cut = key.find('/'); cut != std::string::npos; cut = key.find('/')) descend(cut);
     for (auto cut = key.find('.'); cut != std::string::npos && !dictionary.found(key); cut = key.find('.')) {
-        dictionary = Dictionary(dictionary.subDict(key.substr(0, cut)));
-        key.erase(0, cut + 1);
+        if (!dictionary.isDict(key.substr(0, cut))) break;
+        descend(cut);
     }
+    path.push_back(key);
+    return path;
+}
+
+void show(const Options& options, Dictionary dictionary, const std::vector<std::string>& path) {
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) dictionary = Dictionary(dictionary.subDict(path[i]));
+    const std::string key = path.empty() ? "" : path.back();
     const bool isDict = key.empty() || dictionary.isDict(key);
     if (isDict && !key.empty()) dictionary = Dictionary(dictionary.subDict(key));
-    if (options.keywords) {
+    if (options.found("keywords")) {
         for (const auto& word : dictionary.keys()) std::cout << word << '\n';
     } else if (isDict) {
         print(std::cout, dictionary);
-    } else if (options.value) {
+    } else if (options.found("value")) {
         std::cout << valueText(dictionary, key) << '\n';
     } else {
         std::cout << key << ' ' << valueText(dictionary, key) << ";\n";
     }
 }
 
+/// Write the changed text once it has proved to be a dictionary.
+void change(const Options& options, const std::string& file, const std::vector<std::string>& path) {
+    std::string text = readText(file);
+    if (options.found("remove"))
+        text = removeEntry(text, path, file);
+    else if (options.found("add"))
+        text = addEntry(text, path, options.get("add"), file);
+    else
+        text = setEntry(text, path, options.get("set"), file);
+    Dictionary::parse(text, file);
+    writeAtomically(file, text);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-    for (int i = 1; i < argc; ++i) {
-        if (std::string(argv[i]) == "-help") {
-            std::cout << usage;
+    return runApplication(
+        argc, argv, "Show or change the entries of a dictionary.", dictionaryOptions(),
+        [](const Options& options) {
+            const std::string& file = options.arguments().front();
+            const int changes = options.found("set") + options.found("add") + options.found("remove");
+            if (changes > 1) throw UserError("only one of -set, -add and -remove at a time");
+            if (changes > 0 && !options.found("entry")) throw UserError("which entry? -entry <a/b>");
+            const Dictionary dictionary = Dictionary::read(file);
+            const auto path = options.found("entry") ? pathOf(options.get("entry"), dictionary)
+                                                     : std::vector<std::string>{};
+            if (changes > 0)
+                change(options, file, path);
+            else
+                show(options, dictionary, path);
             return 0;
-        }
-    }
-    Options options;
-    if (!parseArguments(argc, argv, options)) return 1;
-    try {
-        show(options);
-    } catch (const pfem::UserError& error) {
-        std::cerr << "--> FOAM FATAL IO ERROR:\n" << error.what() << "\n\nfile: " << error.where().file;
-        if (error.where().lastLine > 0) {
-            std::cerr << " from line " << error.where().line << " to line " << error.where().lastLine
-                      << ".\n";
-        } else {
-            std::cerr << " at line " << error.where().line << ".\n";
-        }
-        std::cerr << "\nFOAM exiting\n";
-        return 1;
-    } catch (const std::exception& error) {
-        std::cerr << error.what() << '\n';
-        return 1;
-    }
-    return 0;
+        });
 }

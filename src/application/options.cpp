@@ -19,16 +19,10 @@ const std::vector<OptionSpec>& commonOptions() {
     static const std::vector<OptionSpec> common{
         {"case", "dir", "Specify case directory to use (instead of cwd)"},
         {"help", "", "Display help and exit"},
+        {"help-keywords", "", "Display the entries of all dictionaries and exit"},
+        {"help-man", "", "Display the man page's source and exit"},
     };
     return common;
-}
-
-std::vector<OptionSpec> allOptions(const OptionsSpec& spec) {
-    std::vector<OptionSpec> all = commonOptions();
-    all.insert(all.end(), spec.options.begin(), spec.options.end());
-    std::sort(all.begin(), all.end(),
-              [](const OptionSpec& a, const OptionSpec& b) { return a.name < b.name; });
-    return all;
 }
 
 /// "--name" or "-name=value" as the user meant it: "name".
@@ -51,6 +45,14 @@ bool looksLikeOption(const std::string& token) {
 }
 
 }  // namespace
+
+std::vector<OptionSpec> allOptions(const OptionsSpec& spec) {
+    std::vector<OptionSpec> all = commonOptions();
+    all.insert(all.end(), spec.options.begin(), spec.options.end());
+    std::sort(all.begin(), all.end(),
+              [](const OptionSpec& a, const OptionSpec& b) { return a.name < b.name; });
+    return all;
+}
 
 OptionsSpec& OptionsSpec::add(const std::string& name, const std::string& argument, const std::string& help) {
     options.push_back({name, argument, help});
@@ -100,7 +102,7 @@ Options::Options(int argc, const char* const* argv, const OptionsSpec& spec) {
     } catch (const po::error& error) {
         throw UserError(std::string("Invalid command line: ") + error.what());
     }
-    if (!found("help") && arguments_.size() != spec.arguments.size())
+    if (!wantsHelp() && arguments_.size() != spec.arguments.size())
         throw UserError(
             fmt::format("Expected {} arguments but found {}", spec.arguments.size(), arguments_.size()) +
             (arguments_.empty() ? "" : ": '" + arguments_.front() + "'"));

@@ -26,6 +26,9 @@ struct OptionsSpec {
     OptionsSpec& addTimeSelection();
 };
 
+/// Those of a program and those that all have, by name.
+std::vector<OptionSpec> allOptions(const OptionsSpec& spec);
+
 /// The parsed command line.
 class Options {
 public:
@@ -35,6 +38,9 @@ public:
     bool found(const std::string& name) const { return values_.count(name) > 0; }
     std::string get(const std::string& name, const std::string& defaultValue = "") const;
     const std::vector<std::string>& arguments() const { return arguments_; }
+
+    /// Is only a text asked for: -help, -help-keywords, -help-man?
+    bool wantsHelp() const { return found("help") || found("help-keywords") || found("help-man"); }
 
     /// The program's name without its folder.
     const std::string& program() const { return program_; }
@@ -49,6 +55,9 @@ private:
     std::map<std::string, std::string> values_;
     std::vector<std::string> arguments_;
 };
+
+/// The text of -help-man, for the man program.
+std::string manPage(const std::string& program, const std::string& description, const OptionsSpec& spec);
 
 /// The text of -help: "Usage: program [OPTIONS]", the options in two columns, the description.
 std::string helpText(const std::string& program, const std::string& description, const OptionsSpec& spec);

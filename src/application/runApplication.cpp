@@ -10,6 +10,7 @@
 #include <new>
 
 #include "base/error.hpp"
+#include "reference/keywords.hpp"
 
 namespace pfem {
 
@@ -37,7 +38,10 @@ std::string fatalText(const std::exception& error) {
     if (const auto* user = dynamic_cast<const UserError*>(&error)) {
         io = !user->where().file.empty();
         if (io) where = "file: " + user->where().file;
-        if (io && user->where().line > 0) where += " at line " + std::to_string(user->where().line);
+        if (io && user->where().lastLine > 0)
+            where += fmt::format(" from line {} to line {}", user->where().line, user->where().lastLine);
+        else if (io && user->where().line > 0)
+            where += fmt::format(" at line {}", user->where().line);
         if (io) where += ".\n\n";
     } else if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) {
         message = "not enough memory";
@@ -78,8 +82,10 @@ int runApplication(int argc, const char* const* argv, const std::string& descrip
                 std::exit(1);
             }
         }();
-        if (options.found("help")) {
-            std::cout << helpText(program, description, spec);
+        if (options.wantsHelp()) {
+            std::cout << (options.found("help")            ? helpText(program, description, spec)
+                          : options.found("help-keywords") ? keywordPage()
+                                                           : manPage(program, description, spec));
             return 0;
         }
         const int code = body(options);

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "base/error.hpp"
+#include "functions/sampling.hpp"
 
 namespace pfem {
 
@@ -36,13 +36,7 @@ double magnitude(const std::vector<double>& value) {
 template <int Dim>
 FieldMinMax<Dim>::FieldMinMax(const Dictionary& dict, const FunctionContext<Dim>& context)
     : context_(context) {
-    for (const auto& name : dict.get<std::vector<std::string>>("fields")) {
-        try {
-            fields_.push_back(nodalField<Dim>(name));
-        } catch (const UserError& error) {
-            dict.fatal("fields", error.what());
-        }
-    }
+    fields_ = nodalFields<Dim>(dict, dict.get<std::vector<std::string>>("fields"));
 }
 
 template <int Dim>

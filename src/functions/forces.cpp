@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 #include "functions/balance.hpp"
-#include "functions/wetFaces.hpp"
+#include "functions/faceForce.hpp"
 #include "solver/setup.hpp"
 
 namespace pfem {
@@ -20,23 +20,6 @@ Eigen::Vector3d padded(const Vec<Dim>& v) {
 
 bool contains(const std::vector<int>& all, int value) {
     return std::find(all.begin(), all.end(), value) != all.end();
-}
-
-/// s = 2 mu (d - tr(d)/3 I) of a fluid cell.
-template <int Dim>
-Tensor<Dim> viscousStressOfCell(const Problem<Dim>& problem, const State<Dim>& state, int cell) {
-    const auto& simplex = state.mesh.fluid.nodes[cell];
-    const auto geometry = simplexGeometry<Dim>(state.nodes.x, simplex);
-    Tensor<Dim> L = Tensor<Dim>::Zero();
-    for (int k = 0; k <= Dim; ++k) L += state.nodes.v[simplex[k]] * geometry.gradN[k].transpose();
-    const double mu = problem.fluid(state.mesh.fluid.material[cell]).mu;
-    return mu * (L + L.transpose()) - (2 * mu / 3) * L.trace() * Tensor<Dim>::Identity();
-}
-
-/// int N_i N_j dA / |face|
-template <int Dim>
-double shape(int i, int j) {
-    return (i == j ? 2.0 : 1.0) / (Dim * (Dim + 1));
 }
 
 std::string columns(const Table& table, double time, const std::vector<Eigen::Vector3d>& vectors) {
@@ -55,16 +38,11 @@ FluidForce fluidForce(const Problem<Dim>& problem, const State<Dim>& state, cons
     const auto topology = makeTopology<Dim>(state.mesh, problem.conditions.kind, state.nodes.wall);
     for (const auto& face : wetFaces<Dim>(state, topology)) {
         if (!(face.patch >= 0 ? contains(patches, face.patch) : contains(materials, face.solid))) continue;
-        const Vec<Dim> area = faceArea<Dim>(state.nodes.x, face.nodes);
-        Vec<Dim> traction = -(viscousStressOfCell<Dim>(problem, state, face.cell) * area);
-        if (face.patch >= 0 && problem.conditions.kind[face.patch] == PatchKind::slipWall)
-            traction = area * (area.dot(traction) / area.squaredNorm());
-        for (int i = 0; i < Dim; ++i) {
+        const auto force = faceForce<Dim>(problem, state, face);
+        for (std::size_t i = 0; i < Dim; ++i) {
             const Eigen::Vector3d x = padded<Dim>(state.nodes.x[face.nodes[i]]);
-            double p = 0;
-            for (int j = 0; j < Dim; ++j) p += shape<Dim>(i, j) * state.nodes.p[face.nodes[j]];
-            sum.pressure.add(x, padded<Dim>(Vec<Dim>(p * area)));
-            sum.viscous.add(x, padded<Dim>(Vec<Dim>(traction / Dim)));
+            sum.pressure.add(x, padded<Dim>(force.pressure[i]));
+            sum.viscous.add(x, padded<Dim>(force.viscous[i]));
         }
     }
     return sum;

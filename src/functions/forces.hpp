@@ -42,9 +42,8 @@ struct FluidForce {
     ForceAndMoment pressure, viscous;
 };
 
-/// Fluid on the walls of `patches` and on the solids of `materials` (indices): sum over wet faces of int (p n
-/// - s n) dA, n out of the fluid, exact for the linear p of each face; s = 2 mu (d - tr(d)/3 I) of its cell,
-/// on slip walls its normal part only.
+/// Fluid on the walls of `patches` and on the solids of `materials` (indices): the sum of faceForce over
+/// their wet faces.
 template <int Dim>
 FluidForce fluidForce(const Problem<Dim>& problem, const State<Dim>& state, const std::vector<int>& patches,
                       const std::vector<int>& materials);

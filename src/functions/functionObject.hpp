@@ -50,6 +50,15 @@ public:
 template <int Dim>
 State<Dim> initialState(const std::filesystem::path& root, const State<Dim>& state);
 
+/// Makes a function from its entry.
+template <int Dim>
+using FunctionFactory = std::unique_ptr<FunctionObject<Dim>> (*)(const Dictionary&, const FunctionContext<Dim>&);
+
+/// A type from outside the library, for `type` in controlDict: call it before the first dictionary is read, or from the
+/// initialiser of a static object in the file of the type. Returns false when there is the type already.
+template <int Dim>
+bool addFunctionType(const std::string& type, FunctionFactory<Dim> factory);
+
 /// The words for `type`.
 std::vector<std::string> functionTypes();
 

@@ -1,10 +1,13 @@
 #include <map>
 
 #include "case/timeFolders.hpp"
+#include "functions/boundingBox.hpp"
+#include "functions/energy.hpp"
 #include "functions/fieldMinMax.hpp"
 #include "functions/forces.hpp"
 #include "functions/front.hpp"
 #include "functions/functionObject.hpp"
+#include "functions/line.hpp"
 #include "functions/massLedger.hpp"
 #include "functions/pressureSensor.hpp"
 #include "functions/probes.hpp"
@@ -15,20 +18,20 @@ namespace pfem {
 
 namespace {
 
-template <int Dim>
-using Factory = std::unique_ptr<FunctionObject<Dim>> (*)(const Dictionary&, const FunctionContext<Dim>&);
-
 template <int Dim, class Function>
 std::unique_ptr<FunctionObject<Dim>> make(const Dictionary& dict, const FunctionContext<Dim>& context) {
     return std::make_unique<Function>(dict, context);
 }
 
 template <int Dim>
-const std::map<std::string, Factory<Dim>>& table() {
-    static const std::map<std::string, Factory<Dim>> entries{
+std::map<std::string, FunctionFactory<Dim>>& table() {
+    static std::map<std::string, FunctionFactory<Dim>> entries{
+        {"boundingBox", make<Dim, BoundingBox<Dim>>},
+        {"energy", make<Dim, Energy<Dim>>},
         {"fieldMinMax", make<Dim, FieldMinMax<Dim>>},
         {"forces", make<Dim, Forces<Dim>>},
         {"front", make<Dim, Front<Dim>>},
+        {"line", make<Dim, Line<Dim>>},
         {"massLedger", make<Dim, MassLedger<Dim>>},
         {"pressureSensor", make<Dim, PressureSensor<Dim>>},
         {"probes", make<Dim, Probes<Dim>>},
@@ -38,6 +41,11 @@ const std::map<std::string, Factory<Dim>>& table() {
 }
 
 }  // namespace
+
+template <int Dim>
+bool addFunctionType(const std::string& type, FunctionFactory<Dim> factory) {
+    return table<Dim>().emplace(type, factory).second;
+}
 
 std::vector<std::string> functionTypes() {
     std::vector<std::string> words;
@@ -62,6 +70,7 @@ std::unique_ptr<FunctionObject<Dim>> makeFunction(const Dictionary& dict,
     return entry->second(dict, context);
 }
 
+template bool addFunctionType<2>(const std::string&, FunctionFactory<2>);
 template State<2> initialState<2>(const std::filesystem::path&, const State<2>&);
 template std::unique_ptr<FunctionObject<2>> makeFunction<2>(const Dictionary&, const FunctionContext<2>&);
 

@@ -5,39 +5,15 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "functions/sampling.hpp"
+#include "functions/sensors.hpp"
 
 namespace pfem {
 
-namespace {
-
-template <int Dim>
-std::vector<double> interpolated(const NodalField<Dim>& field, const Nodes<Dim>& nodes,
-                                 const WeightedNodes<Dim>& at) {
-    std::vector<double> sum(static_cast<std::size_t>(field.components), 0.0);
-    for (int i = 0; i <= Dim; ++i) {
-        const auto value = field.value(nodes, at.nodes[i]);
-        for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += at.weights[i] * value[c];
-    }
-    return sum;
-}
-
-bool has(Region fieldRegion, Region place) {
-    return fieldRegion == Region::both || fieldRegion == place;
-}
-
-}  // namespace
-
 template <int Dim>
 Probes<Dim>::Probes(const Dictionary& dict, const FunctionContext<Dim>& context) : context_(context) {
-    for (const auto& name : dict.get<std::vector<std::string>>("fields")) {
-        try {
-            fields_.push_back(nodalField<Dim>(name));
-        } catch (const UserError& error) {
-            dict.fatal("fields", error.what());
-        }
-    }
-    points_ =
-        dict.get<std::vector<Eigen::Vector3d>>(dict.found("points") ? "points" : "probeLocations");
+    fields_ = nodalFields<Dim>(dict, dict.get<std::vector<std::string>>("fields"));
+    points_ = dict.get<std::vector<Eigen::Vector3d>>(dict.found("points") ? "points" : "probeLocations");
     if (points_.empty()) dict.fatal("probeLocations", "no probe locations");
     fixed_ = dict.get("fixedLocations", true);
     dict.found("interpolationScheme");  // always linear in the triangle
@@ -58,43 +34,27 @@ void Probes<Dim>::start(const State<Dim>& state) {
                             locate<Dim>(state.mesh.solid, state.nodes.x, point.head<Dim>()));
     }
     tables_.clear();
-    for (const auto& field : fields_) {
-        Table& table = tables_.emplace_back(context_.folder / field.name, context_.precision, context_.resumeAt);
-        std::vector<std::string> titles{"Probe"};
-        for (std::size_t i = 0; i < points_.size(); ++i) {
-            table.comment(fmt::format("Probe {} ({} {} {}){}", i, table.number(points_[i][0]),
-                                      table.number(points_[i][1]), table.number(points_[i][2]),
-                                      found[i] ? "" : "  # Not Found"));
-            titles.push_back(std::to_string(i));
-        }
-        table.header(titles);
-        table.header({"Time"});
-    }
+    for (const auto& field : fields_)
+        tables_.push_back(sensorTable(context_, field.name, "Probe", points_, found));
 }
 
 template <int Dim>
 void Probes<Dim>::execute(const State<Dim>& state) {
     if (tables_.size() != fields_.size()) throw InternalError("probes: execute() before start()");
-    std::vector<std::array<Sample, 2>> samples(points_.size());  // in the fluid, in the solid
+    std::vector<Samples<Dim>> samples(points_.size());
     for (std::size_t i = 0; i < points_.size(); ++i) {
-        if (!fixed_) {
-            if (anchors_[i])
-                samples[i][anchors_[i]->region == Region::solid ? 1 : 0] = follow(state, *anchors_[i]);
-            continue;
-        }
-        samples[i][0] = locate<Dim>(state.mesh.fluid, state.nodes.x, points_[i].head<Dim>());
-        samples[i][1] = locate<Dim>(state.mesh.solid, state.nodes.x, points_[i].head<Dim>());
+        if (fixed_)
+            samples[i] = sampleAt<Dim>(state, points_[i].head<Dim>());
+        else if (anchors_[i])
+            (anchors_[i]->region == Region::solid ? samples[i].inSolid : samples[i].inFluid) =
+                follow(state, *anchors_[i]);
     }
     for (std::size_t f = 0; f < fields_.size(); ++f) {
         const NodalField<Dim>& field = fields_[f];
         Table& table = tables_[f];
         std::vector<std::string> row{table.time(state.time.value)};
-        for (const auto& [inFluid, inSolid] : samples) {
-            std::vector<double> value(static_cast<std::size_t>(field.components), outOfBounds);
-            if (inFluid && has(field.region, Region::fluid))
-                value = interpolated(field, state.nodes, *inFluid);
-            else if (inSolid && has(field.region, Region::solid))
-                value = interpolated(field, state.nodes, *inSolid);
+        for (const auto& at : samples) {
+            const auto value = sampledValue<Dim>(field, state.nodes, at, dry);
             row.push_back(field.components == 1 ? table.number(value[0]) : table.tuple(value));
         }
         table.row(row);

@@ -4,10 +4,9 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "functions/fields.hpp"
 #include "functions/functionObject.hpp"
+#include "functions/sampling.hpp"
 #include "io/table.hpp"
-#include "mesh/locate.hpp"
 
 namespace pfem {
 
@@ -33,9 +32,6 @@ public:
 
     void start(const State<Dim>& state) override;
     void execute(const State<Dim>& state) override;
-
-    /// The value of the dry.
-    static constexpr double outOfBounds = -1e300;
 
 private:
     using Sample = std::optional<WeightedNodes<Dim>>;

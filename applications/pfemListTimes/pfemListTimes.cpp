@@ -1,0 +1,35 @@
+// The written times of a case, one a line; or removes them.
+
+#include <filesystem>
+#include <iostream>
+
+#include "application/runApplication.hpp"
+#include "application/timeRanges.hpp"
+#include "base/error.hpp"
+#include "io/series.hpp"
+
+using namespace pfem;
+
+int main(int argc, char** argv) {
+    OptionsSpec spec;
+    spec.addTimeSelection();
+    spec.add("rm", "", "Remove the selected times, but never 0");
+    return runApplication(argc, argv, "List the written times, or remove them.", spec,
+                          [](const Options& options) {
+                              const Case theCase = options.openCase();
+                              bool removed = false;
+                              for (const auto& time : selectTimes(theCase, options)) {
+                                  if (options.found("rm") && time.value == 0) continue;
+                                  std::cout << time.name << '\n';
+                                  if (!options.found("rm")) continue;
+                                  std::error_code error;
+                                  std::filesystem::remove_all(theCase.time(time.name), error);
+                                  if (error)
+                                      throw UserError("cannot remove \"" + theCase.time(time.name).string() +
+                                                      "\": " + error.message());
+                                  removed = true;
+                              }
+                              if (removed) writeSeries(theCase.root());
+                              return 0;
+                          });
+}

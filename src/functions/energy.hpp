@@ -1,0 +1,49 @@
+#pragma once
+// `type energy`: where the energy is, what has come in, what has gone.
+
+#include <optional>
+
+#include "functions/functionObject.hpp"
+#include "functions/storedEnergy.hpp"
+#include "io/table.hpp"
+
+namespace pfem {
+
+/// Integrals over time since the beginning [J/m (2D), J].
+struct EnergyFlows {
+    double viscous = 0;    // dissipated in the fluid
+    double damper = 0;     // dissipated by the solids' zig-zag damper
+    double workWalls = 0;  // done by moving walls and clamps
+    double workLoads = 0;  // done by tractions
+};
+
+/// Writes postProcessing/<name>/<startTime>/energy.dat [J/m (2D), J]: kinetic, elastic (solids, and what
+/// compresses the fluid), potential (- sum m g . x), total, the EnergyFlows, and
+///   numerical = total(0) + work - total - viscous - damper:
+/// the error of the balance where nothing is remeshed, else what time integration, stabilisation, remeshing
+/// and contact have dissipated. Flows are integrated by the trapezoidal rule over every step
+/// (pfemPostProcess: over the written times).
+template <int Dim>
+class Energy : public FunctionObject<Dim> {
+public:
+    Energy(const Dictionary& dict, const FunctionContext<Dim>& context);
+
+    void start(const State<Dim>& state) override;
+    void advance(const State<Dim>& state) override;
+    void execute(const State<Dim>& state) override;
+    std::vector<double> memory() const override;
+
+private:
+    FunctionContext<Dim> context_;
+    std::optional<Problem<Dim>> problem_;
+    Controls controls_;
+    double first_ = 0;  // total(0)
+    EnergyFlows flows_;
+    double time_ = 0;
+    EnergyPowers powers_;  // at time_
+    std::vector<Id> ids_;  // at time_, for the work of loads
+    Points<Dim> x_, loads_;
+    std::optional<Table> table_;
+};
+
+}  // namespace pfem

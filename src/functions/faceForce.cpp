@@ -1,0 +1,46 @@
+#include "functions/faceForce.hpp"
+
+#include "mesh/simplex.hpp"
+
+namespace pfem {
+
+namespace {
+
+/// s = 2 mu (d - tr(d)/3 I) of a fluid cell.
+template <int Dim>
+Tensor<Dim> viscousStressOfCell(const Problem<Dim>& problem, const State<Dim>& state, int cell) {
+    const auto& simplex = state.mesh.fluid.nodes[cell];
+    const auto geometry = simplexGeometry<Dim>(state.nodes.x, simplex);
+    Tensor<Dim> L = Tensor<Dim>::Zero();
+    for (int k = 0; k <= Dim; ++k) L += state.nodes.v[simplex[k]] * geometry.gradN[k].transpose();
+    const double mu = problem.fluid(state.mesh.fluid.material[cell]).mu;
+    return mu * (L + L.transpose()) - (2 * mu / 3) * L.trace() * Tensor<Dim>::Identity();
+}
+
+/// int N_i N_j dA / |face|
+template <int Dim>
+double shape(int i, int j) {
+    return (i == j ? 2.0 : 1.0) / (Dim * (Dim + 1));
+}
+
+}  // namespace
+
+template <int Dim>
+FaceForce<Dim> faceForce(const Problem<Dim>& problem, const State<Dim>& state, const WetFace<Dim>& face) {
+    const Vec<Dim> area = faceArea<Dim>(state.nodes.x, face.nodes);
+    Vec<Dim> traction = -(viscousStressOfCell<Dim>(problem, state, face.cell) * area);
+    if (face.patch >= 0 && problem.conditions.kind[face.patch] == PatchKind::slipWall)
+        traction = area * (area.dot(traction) / area.squaredNorm());
+    FaceForce<Dim> force;
+    for (int i = 0; i < Dim; ++i) {
+        double p = 0;
+        for (int j = 0; j < Dim; ++j) p += shape<Dim>(i, j) * state.nodes.p[face.nodes[j]];
+        force.pressure[i] = p * area;
+        force.viscous[i] = traction / Dim;
+    }
+    return force;
+}
+
+template FaceForce<2> faceForce<2>(const Problem<2>&, const State<2>&, const WetFace<2>&);
+
+}  // namespace pfem

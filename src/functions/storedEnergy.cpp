@@ -1,0 +1,142 @@
+#include "functions/storedEnergy.hpp"
+
+#include <algorithm>
+
+#include "functions/balance.hpp"
+#include "functions/faceForce.hpp"
+#include "material/neoHookean.hpp"
+#include "momentum/fluidStress.hpp"
+#include "momentum/mass.hpp"
+#include "momentum/solidStress.hpp"
+
+namespace pfem {
+
+namespace {
+
+/// Lumped mass of fluid, solid and drops.
+template <int Dim>
+std::vector<double> massOfNodes(const Problem<Dim>& problem, const State<Dim>& state,
+                                const Patches<Dim>& fluid) {
+    auto mass = fluidMass<Dim>(problem, state.mesh.fluid, fluid);
+    const auto solid = solidMass<Dim>(problem, state.mesh.solid, state.nodes.X);
+    const auto& materials = problem.materials;
+    const auto first = std::find_if(materials.begin(), materials.end(),
+                                    [](const Material& m) { return m.kind == MaterialKind::fluid; });
+    for (std::size_t i = 0; i < mass.size(); ++i) {
+        mass[i] += solid[i];
+        if (first != materials.end()) mass[i] += first->fluid.rho * state.nodes.dropVolume[i];
+    }
+    return mass;
+}
+
+template <int Dim>
+double contraction(const Patches<Dim>& patches, const std::vector<Tensor<Dim>>& stress,
+                   const std::vector<Tensor<Dim>>& L) {
+    double power = 0;
+    for (int e = 0; e < patches.nCells(); ++e)
+        power += patches.element[e].measure * stress[e].cwiseProduct(L[e]).sum();
+    return power;
+}
+
+/// Walls: - force of the fluid on them times the velocity of its nodes there, whose component along the force
+/// is the wall's. Clamps: their force times their velocity.
+template <int Dim>
+double wallPower(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state) {
+    double power = 0;
+    const auto topology = makeTopology<Dim>(state.mesh, problem.conditions.kind, state.nodes.wall);
+    for (const auto& face : wetFaces<Dim>(state, topology)) {
+        if (face.patch < 0) continue;
+        const auto force = faceForce<Dim>(problem, state, face);
+        for (std::size_t i = 0; i < Dim; ++i)
+            power -= (force.pressure[i] + force.viscous[i]).dot(state.nodes.v[face.nodes[i]]);
+    }
+    std::vector<int> clamped;
+    for (std::size_t k = 0; k < state.mesh.patches.size(); ++k)
+        if (problem.conditions.kind[k] == PatchKind::clamped)
+            for (const auto& face : state.mesh.patches[k].faces)
+                clamped.insert(clamped.end(), face.begin(), face.end());
+    std::sort(clamped.begin(), clamped.end());
+    clamped.erase(std::unique(clamped.begin(), clamped.end()), clamped.end());
+    std::erase_if(clamped, [&](int i) { return state.nodes.v[i].isZero(0); });
+    if (clamped.empty()) return power;
+    const auto forces = supportForces<Dim>(problem, controls, state);
+    for (const int i : clamped) power += forces[i].dot(state.nodes.v[i]);
+    return power;
+}
+
+}  // namespace
+
+template <int Dim>
+double elasticEnergy(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state) {
+    const auto& nodes = state.nodes;
+    const auto& cells = state.mesh.solid;
+    const bool hyperelastic = controls.solid.stressUpdate == "neoHookean";
+    const auto around = nodeToCells<Dim>(cells.nodes, nodes.size());
+    const auto patches = makePatches<Dim>(cells.nodes, around, hyperelastic ? nodes.X : nodes.x,
+                                          controls.integration.scheme());
+    const auto F = toPoints<Dim>(patches, elementGradient<Dim>(patches, nodes.x));
+    const auto sigma = storedAtPoints<Dim>(patches, nodes.sigma, cells.sigma);
+    double sum = 0;
+    for (int p = 0; p < nStressPoints<Dim>(patches); ++p) {
+        if (!isStressPoint<Dim>(patches, p)) continue;
+        const Hypoelastic& m = solidMaterial<Dim>(problem, cells, patches, p);
+        const Stress<Dim>& s = sigma[p];
+        const double trace = s[0] + s[1] + s[2];
+        double squares = 0;
+        for (int c = 0; c < nStress<Dim>; ++c) squares += (c < 3 ? 1 : 2) * s[c] * s[c];
+        const double density = hyperelastic ? neoHookeanEnergy<Dim>(m, F[p])
+                                            : 0.5 / m.E * ((1 + m.nu) * squares - m.nu * trace * trace);
+        sum += pointVolume<Dim>(patches, p) * density;
+    }
+    return sum;
+}
+
+template <int Dim>
+StoredEnergy storedEnergy(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state) {
+    const auto& nodes = state.nodes;
+    const auto around = nodeToCells<Dim>(state.mesh.fluid.nodes, nodes.size());
+    const auto fluid =
+        makePatches<Dim>(state.mesh.fluid.nodes, around, nodes.x, controls.integration.scheme());
+    const auto mass = massOfNodes<Dim>(problem, state, fluid);
+    StoredEnergy energy;
+    energy.elastic = elasticEnergy<Dim>(problem, controls, state);
+    for (int i = 0; i < nodes.size(); ++i) {
+        energy.kinetic += 0.5 * mass[i] * nodes.v[i].squaredNorm();
+        energy.potential -= mass[i] * problem.gravity.dot(nodes.x[i]);
+        if (around.count(i) == 0) continue;
+        const double kappa = problem.fluid(state.mesh.fluid.material[around.cell[around.start[i]]]).kappa;
+        energy.elastic += 0.5 * fluid.volume[i] * nodes.p[i] * nodes.p[i] / kappa;
+    }
+    return energy;
+}
+
+template <int Dim>
+EnergyPowers energyPowers(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state) {
+    const auto& nodes = state.nodes;
+    const auto& mesh = state.mesh;
+    EnergyPowers powers;
+    const auto aroundFluid = nodeToCells<Dim>(mesh.fluid.nodes, nodes.size());
+    const auto fluid =
+        makePatches<Dim>(mesh.fluid.nodes, aroundFluid, nodes.x, controls.integration.scheme());
+    powers.viscous = contraction<Dim>(fluid, fluidTangentStress<Dim>(problem, mesh.fluid, fluid, nodes.v, {}),
+                                      elementGradient<Dim>(fluid, nodes.v));
+
+    // with stress zero what is left of the solid's element stress is the damper's
+    const auto aroundSolid = nodeToCells<Dim>(mesh.solid.nodes, nodes.size());
+    const auto solid =
+        makePatches<Dim>(mesh.solid.nodes, aroundSolid, nodes.x, controls.integration.scheme());
+    SolidControls damperOnly = controls.solid;
+    damperOnly.stressUpdate = "rotatedMidpoint";
+    const SolidStress<Dim> none{std::vector<Stress<Dim>>(nStressPoints<Dim>(solid), Stress<Dim>::Zero()), {}};
+    powers.damper = contraction<Dim>(
+        solid, solidElementStress<Dim>(problem, damperOnly, mesh.solid, solid, solid, none, nodes),
+        elementGradient<Dim>(solid, nodes.v));
+    powers.walls = wallPower<Dim>(problem, controls, state);
+    return powers;
+}
+
+template double elasticEnergy<2>(const Problem<2>&, const Controls&, const State<2>&);
+template StoredEnergy storedEnergy<2>(const Problem<2>&, const Controls&, const State<2>&);
+template EnergyPowers energyPowers<2>(const Problem<2>&, const Controls&, const State<2>&);
+
+}  // namespace pfem

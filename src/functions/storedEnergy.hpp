@@ -1,0 +1,36 @@
+#pragma once
+// Energies of a state and the powers that change them.
+
+#include "solver/controls.hpp"
+#include "state/problem.hpp"
+
+namespace pfem {
+
+/// [J/m (2D), J]
+struct StoredEnergy {
+    double kinetic = 0;    // sum m v^2/2
+    double elastic = 0;    // of the solids, and int p^2/(2 kappa) of the fluid
+    double potential = 0;  // - sum m g . x
+    double total() const { return kinetic + elastic + potential; }
+};
+
+/// [W/m (2D), W]
+struct EnergyPowers {
+    double viscous = 0, damper = 0, walls = 0;
+};
+
+/// Elastic energy of the solids: sum_p Omega_p sigma : C^-1 : sigma / 2 (exact for small strain); neoHookean:
+/// sum_p Omega_p W(F_p).
+template <int Dim>
+double elasticEnergy(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state);
+
+/// Isolated particles count with their volume and the first fluid material.
+template <int Dim>
+StoredEnergy storedEnergy(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state);
+
+/// Dissipation sum_e |e| s_e : grad v by viscosity and by the zig-zag damper, power of walls and clamps that
+/// move.
+template <int Dim>
+EnergyPowers energyPowers(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state);
+
+}  // namespace pfem

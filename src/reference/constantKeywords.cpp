@@ -1,0 +1,56 @@
+#include "reference/keywords.hpp"
+
+namespace pfem {
+
+// What material.cpp, setup.cpp and boundaryConditions.cpp read; a test compares the names.
+std::vector<KeywordTable> constantKeywords() {
+    const std::string materials = "constant/materials", conditions = "constant/boundaryConditions";
+    const EntryDescription rho{
+        "rho", "scalar", "kg/m3", "required", "density, of solids in the reference state", "> 0"};
+    return {
+        {materials,
+         "",
+         "One dictionary per material under its name. Dimensions [..] may stand before a value and are "
+         "checked.",
+         {{"type", "word", "-", "required", "the law", "one of: newtonian hypoelastic"}}},
+        {materials,
+         "newtonian",
+         "Nearly incompressible viscous fluid.",
+         {rho,
+          {"mu", "scalar", "Pa s", "required", "dynamic viscosity", ">= 0"},
+          {"kappa", "scalar", "Pa", "2100000000", "bulk modulus", "> 0"}}},
+        {materials,
+         "hypoelastic",
+         "Isotropic elastic solid; also for stressUpdate neoHookean.",
+         {rho,
+          {"E", "scalar", "Pa", "required", "Young's modulus", "> 0"},
+          {"nu", "scalar", "-", "required", "Poisson's ratio", "> -1 and < 0.5"}}},
+        {"constant/g",
+         "",
+         "Gravity.",
+         {{"dimensions", "dimensions", "-", "optional", "checked: [0 1 -2 0 0 0 0]", ""},
+          {"value", "vector of time", "m/s2", "required", "acceleration of gravity", ""}}},
+        {conditions,
+         "",
+         "One dictionary per wall and per named patch of system/meshDict.",
+         {{"type", "word", "-", "required",
+           "slip: fluid slides along the wall; noSlip: it sticks; clamped: the nodes do not move; symmetry: "
+           "they slide along the patch; "
+           "traction: a loaded edge of a solid",
+           "one of: slip noSlip clamped symmetry traction"},
+          {"traction", "vector of time", "Pa", "required for traction", "load per area", ""},
+          {"motion", "dictionary", "-", "at rest", "how a wall or a clamped patch moves", ""}}},
+        {conditions,
+         "motion",
+         "A rigid motion: a displacement, or a turn about a point that is displaced, or both. Values of time are written as "
+         "OpenFOAM's: constant, table, tableFile, polynomial, sine, square, scale; also expression.",
+         {{"displacement", "vector of time", "m", "none", "from the place at time 0", ""},
+          {"velocity", "vector of time", "m/s", "none", "instead of displacement", ""},
+          {"angle", "scalar of time", "rad", "none", "of the turn since time 0, counter-clockwise", ""},
+          {"omega", "scalar of time", "rad/s", "none", "instead of angle", ""},
+          {"origin", "vector", "m", "required for a turn", "the point that is turned about, at time 0", ""},
+          {"axis", "vector", "-", "(0 0 1)", "of the turn", ""}}},
+    };
+}
+
+}  // namespace pfem

@@ -1,0 +1,57 @@
+#include <fmt/format.h>
+
+#include "case/writeControl.hpp"
+#include "functions/forces.hpp"
+#include "functions/front.hpp"
+#include "functions/line.hpp"
+#include "functions/pressureSensor.hpp"
+#include "functions/waveGauge.hpp"
+#include "reference/keywords.hpp"
+
+namespace pfem {
+
+std::vector<KeywordTable> functionKeywords() {
+    const std::string file = "system/controlDict, functions";
+    const EntryDescription fields{"fields",   "list of word",   "-",
+                                  "required", "fields by name", "U a D p sigma h"};
+    return {
+        {file,
+         "",
+         "One dictionary per function under a name of its own; its tables are in "
+         "`postProcessing/<name>/<startTime>`.",
+         {{"type", "word", "-", "required", "what the function does", oneOf(functionTypes()).text},
+          {"enabled", "bool", "-", "yes", "leave the function out", ""},
+          {"writeControl", "word", "-", "timeStep", "what writeInterval means",
+           oneOf(WriteControl::modes()).text},
+          {"writeInterval", "scalar", "steps or s", "1", "distance of the rows", "> 0"},
+          {"writePrecision", "int", "digits", "that of controlDict", "digits of the numbers", ""},
+          {"libs", "list of word", "-", "optional", "accepted and ignored", ""}}},
+        {file, "boundingBox", "Lower and upper corners of fluid and solids; no entries.", {}},
+        {file,
+         "energy",
+         "Stored energies, dissipation, works, and what the numerics dissipate; no entries.",
+         {}},
+        {file, "fieldMinMax", "Extremes of fields and where they are.", {fields}},
+        {file, "forces", "Force and moment of the fluid on walls and solids; reactions of supports.",
+         describeEntries<ForcesEntries>()},
+        {file, "front", "How far the main body of fluid has come.", describeEntries<FrontEntries>()},
+        {file, "line", "Fields along a straight line, a file per time.", describeEntries<LineEntries>()},
+        {file, "massLedger", "Fluid volume and mass, and what changed them; no entries.", {}},
+        {file, "pressureSensor", "Mean pressure over a disc or segment on a wall or solid.",
+         describeEntries<PressureSensorEntries>()},
+        {file,
+         "probes",
+         "Fields at points.",
+         {fields,
+          {"probeLocations", "list of vector", "m", "required", "the points; also called points", ""},
+          {"points", "list of vector", "m", "optional", "another word for probeLocations", ""},
+          {"fixedLocations", "bool", "-", "yes",
+           "no: the points ride on the material that holds them at the first time", ""},
+          {"interpolationScheme", "word", "-", "optional", "accepted; values are linear in the triangle", ""},
+          {"includeOutOfBounds", "bool", "-", "optional", "accepted; a point without material gives -1e+300",
+           ""}}},
+        {file, "waveGauge", "Elevation of the free surface.", describeEntries<WaveGaugeEntries>()},
+    };
+}
+
+}  // namespace pfem

@@ -1,0 +1,58 @@
+#include "reference/keywords.hpp"
+
+namespace pfem {
+
+// What mesher/readMeshDict.cpp reads; a test compares the names.
+std::vector<KeywordTable> meshKeywords() {
+    const std::string file = "system/meshDict";
+    const EntryDescription size{
+        "meshSize", "scalar", "m", "that of the dictionary above", "wanted length of the triangles' edges",
+        "> 0"};
+    const EntryDescription arcs{"edges",
+                                "list of arc",
+                                "m",
+                                "()",
+                                "curved edges: arc <vertex> <vertex> (x y), a circular arc through a point",
+                                ""};
+    return {
+        {file,
+         "",
+         "Bodies and walls, in metres. `pfemMesh -h` takes another meshSize.",
+         {{"meshSize", "scalar", "m", "required",
+           "wanted length of the triangles' edges, where bodies and walls have none of their own", "> 0"},
+          {"bodies", "dictionaries", "-", "required", "the bodies by name", ""},
+          {"walls", "dictionaries", "-", "optional", "the rigid walls by name", ""}}},
+        {file,
+         "bodies: each",
+         "Bodies that touch share their nodes.",
+         {{"type", "word", "-", "required", "fluid or solid", "one of: fluid solid"},
+          {"material", "word", "-", "required", "a name of constant/materials", ""},
+          {"vertices", "list of points", "m", "required", "corners (x y), counter-clockwise, numbered from 0",
+           ""},
+          arcs,
+          size,
+          {"velocity", "point", "m/s", "(0 0)",
+           "initial velocity; of the place: expression (\"-2*y\" \"2*x\")", ""},
+          {"pattern", "word", "-", "unstructured", "regular meshes are for bodies with four vertices",
+           "one of: unstructured checkerboard oneWay crossed"},
+          {"cells", "list of int", "-", "from meshSize", "of a pattern: cells along the edges 0-1 and 1-2",
+           ">= 1"},
+          {"holes", "list of word", "-", "()", "bodies whose outlines are cut out of this one", ""},
+          {"patches", "dictionaries", "-", "optional",
+           "parts of the outline that constant/boundaryConditions speaks of", ""}}},
+        {file,
+         "bodies: patches: each",
+         "",
+         {{"edges", "list of pairs", "-", "required", "edges by their two vertices: ((3 0))", ""}}},
+        {file,
+         "walls: each",
+         "A line with the fluid on its left.",
+         {{"points", "list of points", "m", "required", "corners (x y)", ""},
+          arcs,
+          size,
+          {"closed", "bool", "-", "no", "join the last point to the first", ""},
+          {"moving", "bool", "-", "no", "it shares no corner with other walls, so that it can leave or slide over them", ""}}},
+    };
+}
+
+}  // namespace pfem

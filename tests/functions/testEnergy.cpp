@@ -1,0 +1,104 @@
+#include "functions/energy.hpp"
+
+#include "caseFolder.hpp"
+#include "io/stateFiles.hpp"
+#include "support/cantilever.hpp"
+
+namespace pfem {
+
+using namespace test;
+
+namespace {
+
+enum Column { time, kinetic, elastic, potential, total, viscous, damper, workWalls, workLoads, numerical };
+
+/// Advance with the function watching.
+void run(TestCase& c, FunctionObjects<2>& functions, double dt, int steps) {
+    for (int k = 0; k < steps; ++k) {
+        c.step(dt);
+        functions.execute(c.state);
+        c.state.memory = functions.memory();
+    }
+}
+
+}  // namespace
+
+// Kinetic + elastic + dissipation = work of the load, within 1 % of the peak elastic energy at every step.
+TEST(Energy, ClosesOnTheCantilever) {
+    const CaseFolder folder("steel { type hypoelastic; rho 1; E 1e4; nu 0.25; }",
+                            "base { type clamped; } end { type traction; traction (0 10 0); }", "(0 0 0)");
+    TestCase c = cantilever("(25 4)", "checkerboard", "nodal", "rotatedMidpoint", 0.1);
+    c.start(0.05);
+    auto functions = folder.functions("energy { type energy; }");
+    functions.start(c.state);
+    run(c, functions, 0.05, 110);
+    double peak = 0, worst = 0;
+    const auto rows = folder.rows("energy/0/energy.dat");
+    ASSERT_EQ(rows.size(), 111u);
+    for (const auto& row : rows) {
+        peak = std::max(peak, row[elastic]);
+        worst = std::max(worst, std::abs(row[numerical]));
+        EXPECT_NEAR(row[kinetic] + row[elastic] + row[damper] + row[numerical], row[workLoads],
+                    1e-6 * (1 + row[workLoads]));
+    }
+    std::cout << "peak elastic energy " << peak << ", largest error of the balance " << worst << "\n";
+    EXPECT_GT(peak, 100);
+    EXPECT_LT(worst, 0.01 * peak);
+    EXPECT_GT(rows.back()[damper], 0);
+    EXPECT_GT(rows.back()[workLoads], 0.5 * peak);
+}
+
+// A block of water in free fall: nothing is dissipated, potential becomes kinetic.
+TEST(Energy, FreeFall) {
+    const CaseFolder folder(water, "floor { type slip; }");
+    TestCase c = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " +
+                              rectangle(0, 1, 0.5, 1.5) + " } ); walls ( floor { points ((-1 0) (2 0)); } );",
+                          water, "floor { type slip; }", {0, -10});
+    c.start(1e-2);
+    auto functions = folder.functions("energy { type energy; }");
+    functions.start(c.state);
+    run(c, functions, 1e-2, 20);
+    const auto rows = folder.rows("energy/0/energy.dat");
+    EXPECT_NEAR(rows.front()[potential], 250 * 10 * 1.25, 1e-6);
+    EXPECT_NEAR(rows.back()[kinetic], 0.5 * 250 * 4, 1e-6);  // v = 10 * 0.2
+    EXPECT_NEAR(rows.back()[numerical], 0, 1e-6);
+}
+
+// v = (gamma y, 0) dissipates mu gamma^2 per volume; a wall that recedes with v takes p v per length.
+TEST(Energy, Powers) {
+    TestCase c = makeCase(
+        "meshSize 0.1; bodies ( water { type fluid; material oil; " + rectangle(0, 0, 1, 0.5) +
+            " } ); walls ( floor { points ((0 0) (1 0)); } right { points ((1 0) (1 1)); } );",
+        "oil { type newtonian; rho 1000; mu 3; kappa 2.1e9; }", "floor { type slip; } right { type slip; }");
+    for (int i = 0; i < c.state.nodes.size(); ++i) c.state.nodes.v[i] = {20 * c.state.nodes.x[i][1], 0};
+    EXPECT_NEAR(energyPowers<2>(c.problem, c.controls, c.state).viscous, 3 * 400 * 0.5, 1e-9);
+    for (int i = 0; i < c.state.nodes.size(); ++i) {
+        c.state.nodes.v[i] = {2, 0};
+        c.state.nodes.p[i] = 70;
+    }
+    EXPECT_NEAR(energyPowers<2>(c.problem, c.controls, c.state).walls, -70 * 2 * 0.5, 1e-9);
+    EXPECT_NEAR(storedEnergy<2>(c.problem, c.controls, c.state).kinetic, 0.5 * 500 * 4, 1e-9);
+}
+
+// What was dissipated before a restart is not forgotten: the same rows to the last digit.
+TEST(Energy, GoesOnAfterARestart) {
+    const CaseFolder folder("steel { type hypoelastic; rho 1; E 1e4; nu 0.25; }",
+                            "base { type clamped; } end { type traction; traction (0 10 0); }", "(0 0 0)");
+    TestCase c = cantilever("(13 2)", "oneWay", "nodal", "rotatedMidpoint", 0.1);
+    c.start(0.05);
+    auto functions = folder.functions("energy { type energy; }");
+    functions.start(c.state);
+    run(c, functions, 0.05, 6);
+    writeState(folder.path() / "0.3", c.state);
+    run(c, functions, 0.05, 6);
+    const auto whole = folder.rows("energy/0/energy.dat");
+    c.state = readState<2>(folder.path() / "0.3");
+    auto again = folder.functions("energy { type energy; }", "0.3");
+    again.start(c.state);
+    run(c, again, 0.05, 6);
+    const auto rest = folder.rows("energy/0.3/energy.dat");
+    ASSERT_EQ(rest.size(), 6u);
+    for (std::size_t k = 0; k < 6; ++k) EXPECT_EQ(rest[k], whole[k + 7]);
+}
+
+}  // namespace pfem

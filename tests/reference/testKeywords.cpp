@@ -1,0 +1,105 @@
+// The keyword reference is complete and doc/keywords.md is what the programs print.
+
+#include "reference/keywords.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "dictionary/node.hpp"
+#include "functions/functionObject.hpp"
+#include "material/material.hpp"
+#include "mesher/readMeshDict.hpp"
+#include "momentum/boundaryConditions.hpp"
+
+using namespace pfem;
+
+namespace {
+
+std::set<std::string> names(const std::vector<KeywordTable>& tables) {
+    std::set<std::string> all;
+    for (const auto& table : tables)
+        for (const auto& row : table.rows) all.insert(row.name);
+    return all;
+}
+
+/// All keywords that a reader has asked for, in the dictionary and below; those in `own` are the user's own
+/// names.
+void expectDocumented(const DictionaryNode& node, const std::set<std::string>& documented,
+                      const std::set<std::string>& own) {
+    for (const auto& key : node.lookedUp)
+        EXPECT_TRUE(documented.count(key) || own.count(key))
+            << "'" << key << "' of " << node.name << " is not documented";
+    for (const auto& entry : node.entries) {
+        if (entry.dict) expectDocumented(*entry.dict->node(), documented, own);
+        EXPECT_TRUE(entry.used) << "the test should read " << entry.key << " of " << node.name;
+    }
+}
+
+}  // namespace
+
+TEST(Keywords, EveryEntryIsExplained) {
+    for (const auto& table : keywordTables()) {
+        std::set<std::string> seen;
+        for (const auto& row : table.rows) {
+            const std::string where = table.file + " " + table.place + ": " + row.name;
+            EXPECT_FALSE(row.name.empty()) << where;
+            EXPECT_FALSE(row.type.empty()) << where;
+            EXPECT_FALSE(row.unit.empty()) << where;
+            EXPECT_FALSE(row.defaultValue.empty()) << where;
+            EXPECT_GE(row.meaning.size(), 6u) << where;
+            EXPECT_TRUE(seen.insert(row.name).second) << "twice: " << where;
+        }
+        EXPECT_TRUE(!table.meaning.empty() || table.rows.size() == 1) << table.place;
+    }
+}
+
+TEST(Keywords, PageIsNotStale) {
+    std::ifstream file(PFEM_SOURCE_DIR "/doc/keywords.md");
+    const std::string page((std::istreambuf_iterator<char>(file)), {});
+    EXPECT_EQ(page, keywordPage()) << "make it anew: pfemMesh -help-keywords > doc/keywords.md";
+}
+
+TEST(Keywords, EveryFunctionTypeHasItsTable) {
+    std::vector<std::string> documented;
+    for (const auto& table : functionKeywords())
+        if (!table.place.empty()) documented.push_back(table.place);
+    EXPECT_EQ(documented, functionTypes());
+}
+
+TEST(Keywords, MeshDictIsComplete) {
+    const auto dict = Dictionary::parse(
+        "meshSize 0.1; bodies { a { type solid; material oil; vertices ((0 0) (1 0) (1 1) (0 1)); meshSize "
+        "0.2; "
+        "velocity (1 2); pattern checkerboard; cells (3 4); holes (); edges (arc 0 1 (0.5 -0.1)); "
+        "patches { p { edges ((0 1)); } } } } "
+        "walls { w { points ((0 0) (1 0)); closed no; moving no; meshSize 1; edges (); } }");
+    readMeshDict(dict, {"oil"});
+    expectDocumented(*dict.node(), names(meshKeywords()), {"a", "p", "w"});
+}
+
+TEST(Keywords, ConstantIsComplete) {
+    const auto materials = Dictionary::parse(
+        "water { type newtonian; rho 1; mu 1; kappa 1; } steel { type hypoelastic; rho 1; E 1; nu 0; }");
+    readMaterials(materials);
+    expectDocumented(*materials.node(), names(constantKeywords()), {"water", "steel"});
+    const auto conditions = Dictionary::parse(
+        "a { type slip; } b { type clamped; } c { type symmetry; } d { type traction; traction (0 1 0); } e "
+        "{ type noSlip; motion { velocity (1 0 0); omega 1; origin (0 0 0); } }");
+    std::vector<Patch<2>> patches;
+    for (const char* name : {"a", "b", "c", "d", "e"}) patches.push_back({name, {}});
+    readBoundaryConditions<2>(conditions, patches);
+    expectDocumented(*conditions.node(), names(constantKeywords()), {"a", "b", "c", "d", "e", "FoamFile"});
+}
+
+TEST(Keywords, FunctionsAreComplete) {
+    const auto dict = Dictionary::parse(
+        "p { type probes; fields (p); points ((0 0 0)); } m { type fieldMinMax; fields (p); }");
+    for (const char* name : {"p", "m"}) {
+        makeFunction<2>(dict.subDict(name), {name, "", "", 6, "0"});
+        expectDocumented(*dict.subDict(name).node(), names(functionKeywords()), {});
+    }
+}
