@@ -40,7 +40,7 @@ struct PressureSensorEntries {
 template <int Dim>
 struct SensorAnchor {
     std::array<Id, Dim> ids{};
-    Eigen::Matrix<double, Dim, 1> weights;
+    Eigen::Matrix<double, Dim, 1> weights = Eigen::Matrix<double, Dim, 1>::Zero();
     bool onSolid = false;
 };
 

@@ -112,8 +112,9 @@ TEST(Edit, EveryEntryOfATutorial) {
             const Dictionary after = Dictionary::parse(setEntry(all, {part, key}, "17.5", file), file);
             EXPECT_EQ(after.subDict(part).get<double>(key), 17.5);
             for (const auto& other : before.subDict(part).keys())
-                if (other != key)
+                if (other != key) {
                     EXPECT_EQ(valueText(after.subDict(part), other), valueText(before.subDict(part), other));
+                }
             ++count;
         }
     }

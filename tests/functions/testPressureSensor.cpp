@@ -87,7 +87,9 @@ TEST(TimeFilter, MovingAverageOfARamp) {
     for (int k = 0; k < 50; ++k) {
         t += k % 3 == 0 ? 0.0035 : 0.0011;
         const double mean = filter.advance(t, 100 * t);
-        if (t > 0.03) EXPECT_NEAR(mean, 100 * (t - 0.01), 1e-10);
+        if (t > 0.03) {
+            EXPECT_NEAR(mean, 100 * (t - 0.01), 1e-10);
+        }
     }
 }
 
