@@ -53,12 +53,13 @@ Problem<Dim> readProblem(const Case& theCase, const State<Dim>& state, std::ostr
 
     const Dictionary g = Dictionary::read(theCase.constant("g"));
     problem.gravityOverTime = readGravity(g);
+    problem.gravity = problem.gravityOverTime->value(state.time.value).template head<Dim>();
     const Dictionary conditions = Dictionary::read(theCase.constant("boundaryConditions"));
     problem.conditions = readBoundaryConditions<Dim>(conditions, mesh.patches);
     checkConditions<Dim>(conditions, problem.conditions, state);
     for (const auto* dict : {&materials, &g, &conditions})
         if (warnings) warnUnused(*dict, *warnings);
-    return problemAt<Dim>(state.time.value, problem);
+    return problem;
 }
 
 Controls readControls(const Case& theCase, std::ostream* warnings) {
