@@ -1,6 +1,9 @@
 #include "case/writeControl.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "base/error.hpp"
@@ -9,7 +12,13 @@ namespace pfem {
 
 namespace {
 constexpr double rounding = 1e-9;  // of an interval: times closer than this are the same
+
+/// The number that a user would write: 188 times 0.005 is 0.94, as in `endTime 0.94`, not 0.9400000000000001.
+/// Otherwise a run that ends there and goes on later would differ from an unbroken one in the last bit.
+double asWritten(double time) {
+    return std::strtod(fmt::format("{:.13g}", time).c_str(), nullptr);
 }
+}  // namespace
 
 const std::vector<std::string>& WriteControl::modes() {
     static const std::vector<std::string> words{"timeStep", "runTime", "adjustable", "adjustableRunTime",
@@ -44,7 +53,7 @@ bool WriteControl::due(const TimeInfo& time) const {
 
 double WriteControl::next(const TimeInfo& time) const {
     if (mode_ == Mode::none || mode_ == Mode::timeStep) return std::numeric_limits<double>::infinity();
-    return (std::floor(time.value / interval_ + rounding) + 1.0) * interval_;
+    return asWritten((std::floor(time.value / interval_ + rounding) + 1.0) * interval_);
 }
 
 }  // namespace pfem

@@ -89,11 +89,26 @@ TEST_F(TimeControlTest, AdjustableWritesFallExactlyOnMultiples) {
         time = control.advance(time, dt);
         if (control.writeDue(time)) {
             ++k;
-            EXPECT_EQ(time.value, k * 0.1);  // to the bit
+            EXPECT_EQ(time.value, std::stod(timeName(k * 0.1)));  // to the bit, as a user writes it
             EXPECT_EQ(control.name(time), timeName(k * 0.1));
         }
     }
     EXPECT_EQ(k, 20);
+}
+
+TEST_F(TimeControlTest, EndingAtAWriteTimeOrPassingItIsTheSame) {
+    const auto timeAfter = [&](const std::string& endTime) {
+        write("endTime " + endTime +
+              "; deltaT 0.001; writeControl adjustable; writeInterval 0.005; adjustTimeStep yes;");
+        TimeControl control = open();
+        TimeInfo time;
+        while (time.value < 0.9399) time = control.advance(time, control.deltaT(time, 0));
+        return time;
+    };
+    const TimeInfo ended = timeAfter("0.94"), passed = timeAfter("1");  // 188 * 0.005 is not 0.94 to the bit
+    EXPECT_EQ(ended.value, 0.94);
+    EXPECT_EQ(ended.value, passed.value);
+    EXPECT_EQ(ended.deltaT, passed.deltaT);
 }
 
 TEST_F(TimeControlTest, AdjustableWithFixedStepKeepsItWhereItFits) {
