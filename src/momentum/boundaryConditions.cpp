@@ -58,8 +58,10 @@ BoundaryConditions<Dim> readBoundaryConditions(const Dictionary& dict, const std
         if (type == "symmetry") result.kind.push_back(PatchKind::symmetry);
         if (type == "traction") {
             result.kind.push_back(PatchKind::traction);
-            result.tractionOverTime.back() = readFunction1<Eigen::Vector3d>(entry, "traction");
-            result.traction.back() = result.tractionOverTime.back()->value(0).template head<Dim>();
+            const auto overTime = readFunction1<Eigen::Vector3d>(entry, "traction");
+            result.traction.back() = overTime->value(0).template head<Dim>();
+            const bool constant = !entry.isDict("traction") && entry.reader("traction").opens();
+            if (!constant) result.tractionOverTime.back() = overTime;
         }
     }
     return result;
