@@ -34,7 +34,7 @@ struct ContinuityControls {
           "(the paper; then schurScale 1, freeSurfaceScale 4 and complianceScale 3 converge best)",
           oneOf({"inertia", "bodyForce"}));
         v("interfaceAcceleration", interfaceAcceleration, "-",
-          "with bodyForce: moving solids enter the stabilisation with their normal acceleration", any);
+          "with bodyForce: moving solids and walls enter the stabilisation with their normal acceleration", any);
         v("volumeReturnTime", volumeReturnTime, "s",
           "time scale within which volume that was lost or gained is returned where it happened; 0 = never",
           nonNegative);

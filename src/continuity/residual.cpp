@@ -80,8 +80,8 @@ std::vector<double> continuityResidual(const Problem<Dim>& problem, const Contin
     }
 
     for (const auto& face : topology.faces) {
-        if (face.kind == FaceKind::wall) continue;
-        if (face.kind == FaceKind::interface && !controls.interfaceAcceleration) continue;
+        const bool free = face.kind == FaceKind::freeSurface;
+        if (!free && (inertia || !controls.interfaceAcceleration)) continue;
         const Newtonian& fluid = problem.fluid(cells.material[face.cell]);
         const auto& g = patches.element[face.cell];
         const Vec<Dim> area = faceArea<Dim>(trial.x, face.nodes);
@@ -90,8 +90,9 @@ std::vector<double> continuityResidual(const Problem<Dim>& problem, const Contin
         const Vec<Dim> n = area / measure;
         const double weight = tau[face.cell] * measure / Dim;
         if (!inertia)
-            for (int node : face.nodes) R[node] += tauFaces * measure / Dim * fluid.rho * trial.a[node].dot(n);
-        if (face.kind == FaceKind::interface) continue;
+            for (int node : face.nodes)
+                R[node] += tauFaces * measure / Dim * fluid.rho * trial.a[node].dot(n);
+        if (!free) continue;
 
         const double twoOverH = 2 * measure / (Dim * g.measure);
         Vec<Dim> dn = Vec<Dim>::Zero();  // L n of the cell

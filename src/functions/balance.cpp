@@ -7,7 +7,8 @@
 namespace pfem {
 
 template <int Dim>
-Points<Dim> supportForces(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state) {
+Points<Dim> supportForces(const Problem<Dim>& problemOfRun, const Controls& controls, const State<Dim>& state) {
+    const Problem<Dim> problem = problemAt<Dim>(state.time.value, problemOfRun);
     const auto& mesh = state.mesh;
     const auto& nodes = state.nodes;
     const auto aroundFluid = nodeToCells<Dim>(mesh.fluid.nodes, nodes.size());

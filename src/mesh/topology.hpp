@@ -20,6 +20,13 @@ enum class PatchKind {
 
 inline bool isWall(PatchKind kind) { return kind == PatchKind::slipWall || kind == PatchKind::noSlipWall; }
 
+/// Which patches are walls.
+inline std::vector<bool> wallPatches(const std::vector<PatchKind>& kinds) {
+    std::vector<bool> walls;
+    for (const PatchKind kind : kinds) walls.push_back(isWall(kind));
+    return walls;
+}
+
 enum class FaceKind { freeSurface, interface, wall };
 
 /// A face of the fluid without a fluid neighbour.
@@ -62,8 +69,11 @@ int commonWall(const Topology<Dim>& topology, const std::vector<int>& wall, cons
                    return wall[node] == w || std::find(corners.begin(), corners.end(), node) != corners.end();
                });
     };
-    for (int node : nodes)
-        if (wall[node] >= 0) return allLie(wall[node]) ? wall[node] : -1;
+    for (int node : nodes) {  // a corner that stands on another wall lies on its own faces, too
+        if (wall[node] < 0) continue;
+        if (allLie(wall[node])) return wall[node];
+        if (!topology.corner[node]) return -1;
+    }
     for (int w = 0; topology.corner[nodes[0]] && w < static_cast<int>(topology.walls.size()); ++w)
         if (allLie(w)) return w;  // corners only: rare
     return -1;

@@ -1,6 +1,7 @@
 #pragma once
 // What a user asks for in system/meshDict: bodies of fluid and solid, rigid walls, target sizes.
 
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -39,16 +40,21 @@ enum class BodyType { fluid, solid };
 enum class Pattern { unstructured, checkerboard, oneWay, crossed };
 
 struct Body : Outline {
+    Vec<2> velocityAt(const Vec<2>& x) const { return velocityField ? velocityField(x) : velocity; }
+
     BodyType type = BodyType::fluid;
     std::string material;
     Vec<2> velocity = Vec<2>::Zero();  // initial [m/s]
+    std::function<Vec<2>(const Vec<2>&)> velocityField;  // initial, of the place; empty: uniform
     Pattern pattern = Pattern::unstructured;
     std::array<int, 2> cells = {0, 0};  // along edges 0-1 and 1-2; 0: from meshSize
     std::vector<std::string> holes;     // bodies whose outlines are cut out of this one
     std::map<std::string, std::vector<std::array<int, 2>>> patches;  // name -> edges as pairs of vertices
 };
 
-struct Wall : Outline {};
+struct Wall : Outline {
+    bool moving = false;  // it shares no node with other walls, so that it can leave them
+};
 
 struct MeshDescription {
     double meshSize = 0;  // default target edge length [m]

@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 
+#include "mesh/standing.hpp"
 #include "mesher/checks.hpp"
 #include "mesher/hilbertOrder.hpp"
 #include "mesher/wallLines.hpp"
@@ -50,11 +51,11 @@ MeshedBody addBody(Draft& draft, const MeshDescription& description, int index, 
                                ? fillUnstructured(region, size)
                                : fillPattern(region, body.pattern, patternCells(description, body));
     std::vector<int> global = region.boundaryNode;
-    for (const int i : global) draft.v[i] = body.velocity;
+    for (const int i : global) draft.v[i] = body.velocityAt(draft.x[i]);
     for (std::size_t i = region.nBoundary; i < region.x.size(); ++i) {
         global.push_back(static_cast<int>(draft.x.size()));
         draft.x.push_back(region.x[i]);
-        draft.v.push_back(body.velocity);
+        draft.v.push_back(body.velocityAt(region.x[i]));
         draft.h.push_back(size.at(region.x[i], region.h));
     }
     Cells<2>& cells = body.type == BodyType::fluid ? draft.mesh.fluid : draft.mesh.solid;
@@ -178,9 +179,17 @@ MeshResult buildMesh(const MeshDescription& description) {
         std::sort(cells.nodes.begin() + result.bodies[b].first, cells.nodes.begin() + result.bodies[b].last);
     }
     result.state = toState(std::move(draft));
-    std::vector<std::string> walls;
-    for (const auto& wall : description.walls) walls.push_back(wall.name);
+    std::vector<std::string> walls, moving;
+    for (const auto& wall : description.walls) {
+        walls.push_back(wall.name);
+        if (wall.moving) moving.push_back(wall.name);
+    }
+    separateWalls(walls, moving, result.state);
     straightenWalls(walls, result.state);
+    std::vector<bool> isWall;
+    for (const auto& patch : result.state.mesh.patches)
+        isWall.push_back(std::find(walls.begin(), walls.end(), patch.name) != walls.end());
+    standOnWalls(result.state.mesh, isWall, result.state.nodes);
     return result;
 }
 

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
+
+#include "dictionary/expression.hpp"
 
 namespace pfem {
 
@@ -38,6 +41,25 @@ std::vector<ArcEdge> readArcs(const Dictionary& dict) {
     return arcs;
 }
 
+/// velocity (1 0);  or by the place:  velocity expression ("-2*y" "2*x");
+void readVelocity(const Dictionary& dict, Body& body) {
+    if (!dict.found("velocity")) return;
+    TokenReader tokens = dict.reader("velocity");
+    if (!tokens.peek().isWord()) {
+        body.velocity = toPoint(dict, "velocity", dict.get<std::vector<double>>("velocity"));
+        return;
+    }
+    const auto word = tokens.read<std::string>();
+    if (word != "expression") dict.fatal("velocity", notValid(word, "function of the place", {"expression"}));
+    const auto formulas = tokens.read<std::vector<std::string>>();
+    tokens.end();
+    if (formulas.size() != 2 && formulas.size() != 3)
+        dict.fatal("velocity", "A velocity needs a formula for each component: expression (\"-2*y\" \"2*x\")");
+    const auto u = std::make_shared<Expression>(formulas[0], std::vector<std::string>{"x", "y"}, dict.where("velocity"));
+    const auto v = std::make_shared<Expression>(formulas[1], std::vector<std::string>{"x", "y"}, dict.where("velocity"));
+    body.velocityField = [u, v](const Vec<2>& x) { return Vec<2>((*u)({x[0], x[1]}), (*v)({x[0], x[1]})); };
+}
+
 void readOutline(const Dictionary& dict, const std::string& pointsKey, Outline& outline) {
     outline.name = dict.keyword();
     outline.places[""] = dict.where();
@@ -55,8 +77,7 @@ Body readBody(const Dictionary& dict, const std::vector<std::string>& materials)
     body.material = dict.get<std::string>("material");
     if (std::find(materials.begin(), materials.end(), body.material) == materials.end())
         dict.fatal("material", notValid(body.material, "material", materials));
-    if (dict.found("velocity"))
-        body.velocity = toPoint(dict, "velocity", dict.get<std::vector<double>>("velocity"));
+    readVelocity(dict, body);
     const std::vector<std::string> patterns = {"unstructured", "checkerboard", "oneWay", "crossed"};
     const auto pattern = dict.choice("pattern", patterns, "unstructured");
     body.pattern =
@@ -94,6 +115,7 @@ MeshDescription readMeshDict(const Dictionary& dict, const std::vector<std::stri
         Wall wall;
         readOutline(wallDict, "points", wall);
         wall.closed = wallDict.get("closed", false);
+        wall.moving = wallDict.get("moving", false);
         mesh.walls.push_back(wall);
     }
     return mesh;

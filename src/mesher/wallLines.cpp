@@ -47,6 +47,32 @@ void dropNodes(const std::vector<char>& kept, State<2>& state) {
 
 }  // namespace
 
+void separateWalls(const std::vector<std::string>& walls, const std::vector<std::string>& moving, State<2>& state) {
+    const auto isOneOf = [](const std::vector<std::string>& names, const std::string& name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    for (const auto& mover : state.mesh.patches) {
+        if (!isOneOf(moving, mover.name)) continue;
+        std::map<int, int> copies;  // of the mover's nodes that others have, too
+        for (const auto& face : mover.faces)
+            for (int node : face) copies[node] = -1;
+        for (auto& other : state.mesh.patches) {
+            if (other.name == mover.name || !isOneOf(walls, other.name)) continue;
+            for (auto& face : other.faces)
+                for (int& node : face) {
+                    const auto shared = copies.find(node);
+                    if (shared == copies.end()) continue;
+                    if (shared->second < 0) {
+                        shared->second = state.nodes.size();
+                        state.nodes.append(Nodes<2>(state.nodes), node);
+                        state.nodes.id.back() = state.nextId++;
+                    }
+                    node = shared->second;
+                }
+        }
+    }
+}
+
 void straightenWalls(const std::vector<std::string>& walls, State<2>& state) {
     const int n = state.nodes.size();
     std::vector<char> wet(n, 0), pinned(n, 0), between(n, 0);

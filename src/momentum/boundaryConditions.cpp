@@ -45,13 +45,23 @@ BoundaryConditions<Dim> readBoundaryConditions(const Dictionary& dict, const std
         const Dictionary& entry = dict.subDict(patch.name);
         const std::string type = entry.choice("type", words);
         result.traction.push_back(Vec<Dim>::Zero());
+        result.tractionOverTime.push_back(nullptr);
+        result.motion.push_back(nullptr);
+        if (entry.found("motion")) {
+            if (type == "symmetry" || type == "traction")
+                entry.fatal("motion", "'" + patch.name + "' cannot be moved: only slip, noSlip and clamped patches can");
+            result.motion.back() = std::make_shared<WallMotion>(entry.subDict("motion"));
+        }
         if (type == "slip") result.kind.push_back(PatchKind::slipWall);
         if (type == "noSlip") result.kind.push_back(PatchKind::noSlipWall);
         if (type == "clamped") result.kind.push_back(PatchKind::clamped);
         if (type == "symmetry") result.kind.push_back(PatchKind::symmetry);
         if (type == "traction") {
             result.kind.push_back(PatchKind::traction);
-            result.traction.back() = entry.get<Eigen::Vector3d>("traction").head<Dim>();
+            const auto overTime = readFunction1<Eigen::Vector3d>(entry, "traction");
+            result.traction.back() = overTime->value(0).template head<Dim>();
+            const bool constant = !entry.isDict("traction") && entry.reader("traction").opens();
+            if (!constant) result.tractionOverTime.back() = overTime;
         }
     }
     return result;
@@ -59,11 +69,15 @@ BoundaryConditions<Dim> readBoundaryConditions(const Dictionary& dict, const std
 
 template <int Dim>
 NodeConstraints<Dim> nodeConstraints(const Mesh<Dim>& mesh, const BoundaryConditions<Dim>& conditions,
-                                     const Topology<Dim>& topology, const Nodes<Dim>& nodes) {
+                                     const Topology<Dim>& topology, const Nodes<Dim>& nodes, double t0, double t1) {
     const std::size_t n = nodes.x.size();
     NodeConstraints<Dim> c;
     c.hold.assign(n, Hold::free);
     c.normal.assign(n, Vec<Dim>::Zero());
+    c.mover.assign(n, -1);
+    for (const auto& motion : conditions.motion)
+        c.motion.push_back(motion ? motion->template step<Dim>(t0, t1) : RigidStep<Dim>());
+    const auto moverOf = [&](int patch) { return conditions.motion[patch] ? patch : -1; };
 
     NormalCollector<Dim> symmetry(n);
     std::vector<unsigned char> clamped(n, 0), slides(n, 0);
@@ -71,6 +85,7 @@ NodeConstraints<Dim> nodeConstraints(const Mesh<Dim>& mesh, const BoundaryCondit
         for (const auto& face : mesh.patches[k].faces)
             for (int node : face) {
                 if (conditions.kind[k] == PatchKind::clamped) clamped[node] = 1;
+                if (conditions.motion[k]) c.mover[node] = static_cast<int>(k);
                 if (conditions.kind[k] != PatchKind::symmetry) continue;
                 slides[node] = 1;
                 symmetry.add(node, faceArea<Dim>(nodes.X, face).normalized());
@@ -88,6 +103,8 @@ NodeConstraints<Dim> nodeConstraints(const Mesh<Dim>& mesh, const BoundaryCondit
                                 !topology.freeSurface[i];
             c.hold[i] = sticks ? Hold::fixed : Hold::slide;
             c.normal[i] = faceArea<Dim>(nodes.x, wall.nodes).normalized();
+            if (!topology.corner[i]) c.mover[i] = moverOf(wall.patch);
+            if (c.isMoved(node)) c.normal[i] = (c.motion[c.mover[i]].rotation * c.normal[i]).eval();
         }
         if (clamped[i] || topology.corner[i]) c.hold[i] = Hold::fixed;
     }
@@ -97,7 +114,7 @@ NodeConstraints<Dim> nodeConstraints(const Mesh<Dim>& mesh, const BoundaryCondit
 #define PFEM_INSTANTIATE(D)                                                                                    \
     template BoundaryConditions<D> readBoundaryConditions<D>(const Dictionary&, const std::vector<Patch<D>>&); \
     template NodeConstraints<D> nodeConstraints<D>(const Mesh<D>&, const BoundaryConditions<D>&,               \
-                                                   const Topology<D>&, const Nodes<D>&);
+                                                   const Topology<D>&, const Nodes<D>&, double, double);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

@@ -29,7 +29,7 @@ std::vector<KeywordTable> constantKeywords() {
          "",
          "Gravity.",
          {{"dimensions", "dimensions", "-", "optional", "checked: [0 1 -2 0 0 0 0]", ""},
-          {"value", "vector", "m/s2", "required", "acceleration of gravity", ""}}},
+          {"value", "vector of time", "m/s2", "required", "acceleration of gravity", ""}}},
         {conditions,
          "",
          "One dictionary per wall and per named patch of system/meshDict.",
@@ -38,7 +38,18 @@ std::vector<KeywordTable> constantKeywords() {
            "they slide along the patch; "
            "traction: a loaded edge of a solid",
            "one of: slip noSlip clamped symmetry traction"},
-          {"traction", "vector", "Pa", "required for traction", "load per area", ""}}},
+          {"traction", "vector of time", "Pa", "required for traction", "load per area", ""},
+          {"motion", "dictionary", "-", "at rest", "how a wall or a clamped patch moves", ""}}},
+        {conditions,
+         "motion",
+         "A rigid motion: a displacement, or a turn about a point that is displaced, or both. Values of time are written as "
+         "OpenFOAM's: constant, table, tableFile, polynomial, sine, square, scale; also expression.",
+         {{"displacement", "vector of time", "m", "none", "from the place at time 0", ""},
+          {"velocity", "vector of time", "m/s", "none", "instead of displacement", ""},
+          {"angle", "scalar of time", "rad", "none", "of the turn since time 0, counter-clockwise", ""},
+          {"omega", "scalar of time", "rad/s", "none", "instead of angle", ""},
+          {"origin", "vector", "m", "required for a turn", "the point that is turned about, at time 0", ""},
+          {"axis", "vector", "-", "(0 0 1)", "of the turn", ""}}},
     };
 }
 

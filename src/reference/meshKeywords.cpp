@@ -31,7 +31,8 @@ std::vector<KeywordTable> meshKeywords() {
            ""},
           arcs,
           size,
-          {"velocity", "point", "m/s", "(0 0)", "initial velocity", ""},
+          {"velocity", "point", "m/s", "(0 0)",
+           "initial velocity; of the place: expression (\"-2*y\" \"2*x\")", ""},
           {"pattern", "word", "-", "unstructured", "regular meshes are for bodies with four vertices",
            "one of: unstructured checkerboard oneWay crossed"},
           {"cells", "list of int", "-", "from meshSize", "of a pattern: cells along the edges 0-1 and 1-2",
@@ -49,7 +50,8 @@ std::vector<KeywordTable> meshKeywords() {
          {{"points", "list of points", "m", "required", "corners (x y)", ""},
           arcs,
           size,
-          {"closed", "bool", "-", "no", "join the last point to the first", ""}}},
+          {"closed", "bool", "-", "no", "join the last point to the first", ""},
+          {"moving", "bool", "-", "no", "it shares no corner with other walls, so that it can leave or slide over them", ""}}},
     };
 }
 

@@ -36,27 +36,35 @@ private:
     /// A node that slides into a corner of the walls, the corner is its own node: nothing could stop it there.
     void removeAtCorners() {
         if constexpr (Dim == 2) {
+            std::vector<int> feet;  // of walls that stand on other walls
+            for (int i = 0; i < static_cast<int>(moved_.x.size()); ++i)
+                if (moved_.topology.corner[i] && moved_.wall[i] >= 0) feet.push_back(i);
             for (int i = 0; i < static_cast<int>(moved_.x.size()); ++i) {
                 const int w = moved_.wall[i];
-                if (w < 0 || kept_[i] || locked_[i]) continue;
-                for (const bool atEnd : {false, true}) {
-                    const int corner = moved_.topology.walls[w].nodes[atEnd ? 1 : 0];
-                    if ((moved_.x[i] - moved_.x[corner]).norm() > controls_.cornerDistance * h_[i]) continue;
-                    if (!isConcaveEnd(moved_.topology, moved_.x, w, atEnd)) continue;
-                    plan_.removed[i] = 1;
-                    lockPatch(i);
-                }
+                if (w < 0 || kept_[i]) continue;
+                for (const bool atEnd : {false, true})
+                    if (isNear(i, moved_.topology.walls[w].nodes[atEnd ? 1 : 0]) &&
+                        isConcaveEnd(moved_.topology, moved_.x, w, atEnd))
+                        remove(i);
+                for (int foot : feet)
+                    if (moved_.wall[foot] == w && isNear(i, foot)) remove(i);
             }
         }
+    }
+
+    bool isNear(int i, int corner) const {
+        return !locked_[i] && (moved_.x[i] - moved_.x[corner]).norm() <= controls_.cornerDistance * h_[i];
+    }
+
+    void remove(int i) {
+        plan_.removed[i] = 1;
+        lockPatch(i);
     }
 
     void removeClose() {
         for (int i = 0; i < static_cast<int>(moved_.x.size()); ++i) {
             if (kept_[i] || locked_[i] || !moved_.topology.wet(i)) continue;
-            if (isTooClose(i)) {
-                plan_.removed[i] = 1;
-                lockPatch(i);
-            }
+            if (isTooClose(i)) remove(i);
         }
     }
 

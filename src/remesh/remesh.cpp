@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "mesh/simplex.hpp"
+#include "mesh/standing.hpp"
 #include "remesh/connectivity.hpp"
 #include "remesh/lostVolume.hpp"
 #include "remesh/nodeControl.hpp"
@@ -75,7 +76,6 @@ void addWallChain(const State<2>& state, const Face<2>& corners, const std::vect
     std::sort(order.begin(), order.end());
     int last = corners[0];
     for (const auto& [s, node] : order) {
-        if (state.nodes.x[node] == state.nodes.x[last]) continue;  // coincident nodes are one for the triangulation
         faces.push_back({last, node});
         last = node;
     }
@@ -137,14 +137,15 @@ CandidateNodes candidateNodes(const State<2>& state, const MovedMesh<2>& moved, 
     return c;
 }
 
-/// Solid nodes off the boundary do not take part in the triangulation.
-std::vector<int> activeNodes(const State<2>& state) {
+/// Solid nodes off the boundary and loose ends of walls do not take part in the triangulation.
+std::vector<int> activeNodes(const State<2>& state, const std::vector<PatchKind>& kinds) {
     const auto around = nodeToCells<2>(state.mesh.solid.nodes, state.nodes.size());
     std::vector<unsigned char> active(state.nodes.size(), 1);
     for (const auto& s : state.mesh.solid.nodes)
         for (int node : s) active[node] = 0;
     for (const auto& face : boundaryFaces<2>(state.mesh.solid.nodes, around))
         for (int node : face.nodes) active[node] = 1;
+    for (int node : looseEnds(state.mesh, wallPatches(kinds), state.nodes)) active[node] = 0;
     std::vector<int> list;
     for (int i = 0; i < state.nodes.size(); ++i)
         if (active[i]) list.push_back(i);
@@ -180,7 +181,7 @@ RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKi
     const auto newIndex = carryOut<Dim>(plan, moved, state);
 
     const auto triangulation = constrainedDelaunay(
-        state.nodes.x, activeNodes(state), fixedFaces<Dim>(state, kinds), surfaceFaces<Dim>(controls, plan, newIndex));
+        state.nodes.x, activeNodes(state, kinds), fixedFaces<Dim>(state, kinds), surfaceFaces<Dim>(controls, plan, newIndex));
     const auto selected =
         selectFluid(controls, triangulation, candidateNodes(state, moved, newIndex, dt), moved);
     state.mesh.fluid.nodes = selected.fluid;

@@ -21,21 +21,57 @@ struct Line {
     }
     double along(const Vec<2>& p) const { return tangent.dot(p - start); }
     double distance(const Vec<2>& p) const { return inward.dot(p - start); }
+    /// The values at the face's ends, interpolated.
+    Vec<2> between(double s, const Points<2>& value, const Face<2>& face) const {
+        return (1 - s / length) * value[face[0]] + s / length * value[face[1]];
+    }
 };
 
-void land(const Line& line, int w, int i, Nodes<2>& nodes) {
-    nodes.x[i] = line.start + std::clamp(line.along(nodes.x[i]), 0.0, line.length) * line.tangent;
-    nodes.v[i] = line.tangent * line.tangent.dot(nodes.v[i]);
-    nodes.a[i] = line.tangent * line.tangent.dot(nodes.a[i]);
+/// Put node i on the wall face w at distance s from its start; there it moves along with the wall.
+void land(const Line& line, int w, double s, const Topology<2>& topology, Nodes<2>& nodes, int i) {
+    const Face<2>& face = topology.walls[w].nodes;
+    s = std::clamp(s, 0.0, line.length);
+    const auto alongWith = [&](const Vec<2>& own, const Vec<2>& ofWall) -> Vec<2> {
+        const Vec<2> along = line.tangent * line.tangent.dot(own);
+        const double normal = line.inward.dot(ofWall);
+        return normal == 0 ? along : Vec<2>(along + normal * line.inward);
+    };
+    nodes.x[i] = line.start + s * line.tangent;
+    nodes.v[i] = alongWith(nodes.v[i], line.between(s, nodes.v, face));
+    nodes.a[i] = alongWith(nodes.a[i], line.between(s, nodes.a, face));
     nodes.wall[i] = w;
 }
+
+/// Feet of other walls, which nothing that slides on the same face can pass.
+class Feet {
+public:
+    Feet(const Topology<2>& topology, const Nodes<2>& nodes) {
+        for (int i = 0; i < nodes.size(); ++i)
+            if (topology.corner[i] && nodes.wall[i] >= 0) feet_.push_back(i);
+    }
+
+    /// Where on face w a node stops that was at xOld and has come to s.
+    double stop(const Topology<2>& topology, int w, const Points<2>& xOld, const Nodes<2>& nodes, int i, double s) const {
+        for (int foot : feet_) {
+            if (nodes.wall[foot] != w) continue;
+            const Line now(nodes.x, topology.walls[w].nodes), before(xOld, topology.walls[w].nodes);
+            const double place = now.along(nodes.x[foot]);
+            const bool wasAfter = before.along(xOld[i]) >= before.along(xOld[foot]);
+            if ((s >= place) != wasAfter) s = place;
+        }
+        return s;
+    }
+
+private:
+    std::vector<int> feet_;
+};
 
 }  // namespace
 
 bool isConcaveEnd(const Topology<2>& topology, const Points<2>& x, int w, bool atEnd) {
     const Line line(x, topology.walls[w].nodes);
     const int corner = topology.walls[w].nodes[atEnd ? 1 : 0];
-    if (topology.onSolid[corner]) return true;
+    if (topology.onSolid[corner] || topology.onWall[corner]) return true;
     for (int other = 0; other < static_cast<int>(topology.walls.size()); ++other) {
         const auto& face = topology.walls[other].nodes;
         if (other == w || topology.walls[other].patch < 0 || face[atEnd ? 0 : 1] != corner) continue;
@@ -50,26 +86,29 @@ void landOnWalls<2>(const RemeshingControls& controls, const Topology<2>& topolo
                     State<2>& state) {
     Nodes<2>& nodes = state.nodes;
     const double before = cellVolume<2>(nodes.x, state.mesh.fluid.nodes);
+    const Feet feet(topology, nodes);
     for (int i = 0; i < nodes.size(); ++i) {
-        if (topology.held(i) || nodes.wall[i] < 0) continue;
-        const Line line(nodes.x, topology.walls[nodes.wall[i]].nodes);
-        const double s = line.along(nodes.x[i]);
-        if ((s < 0 || s > line.length) && !isConcaveEnd(topology, nodes.x, nodes.wall[i], s > 0))
+        const int w = nodes.wall[i];
+        if (topology.held(i) || w < 0) continue;
+        const Line line(nodes.x, topology.walls[w].nodes);
+        const double s = feet.stop(topology, w, xOld, nodes, i, line.along(nodes.x[i]));
+        if ((s < 0 || s > line.length) && !isConcaveEnd(topology, nodes.x, w, s > 0))
             nodes.wall[i] = -1;
         else
-            land(line, nodes.wall[i], i, nodes);  // also removes the round-off
+            land(line, w, s, topology, nodes, i);  // also removes the round-off
     }
     for (int w = 0; w < static_cast<int>(topology.walls.size()); ++w) {
         if (topology.walls[w].patch < 0) continue;
-        const Line line(nodes.x, topology.walls[w].nodes);
+        const Line line(nodes.x, topology.walls[w].nodes), lineOld(xOld, topology.walls[w].nodes);
         for (int i = 0; i < nodes.size(); ++i) {
             if (topology.held(i) || topology.onWall[i] || nodes.wall[i] >= 0) continue;
             const double d = line.distance(nodes.x[i]);
             if (d > controls.landingDistance * nodes.h[i]) continue;
-            const double dOld = line.distance(xOld[i]);
+            const double dOld = lineOld.distance(xOld[i]);
             if (dOld < -1e-9 * nodes.h[i] || d >= dOld) continue;  // was behind, or leaves
             const double s = line.along(nodes.x[i]);
-            if (s >= 0 && s <= line.length) land(line, w, i, nodes);
+            if (s >= 0 && s <= line.length)
+                land(line, w, feet.stop(topology, w, xOld, nodes, i, s), topology, nodes, i);
         }
     }
     state.ledger["landed"] += cellVolume<2>(nodes.x, state.mesh.fluid.nodes) - before;
@@ -79,10 +118,13 @@ template <>
 void releaseFromWalls<2>(const RemeshingControls& controls, const Topology<2>& topology, const Vec<2>& gravity,
                          double rho, Nodes<2>& nodes) {
     for (int i = 0; i < nodes.size(); ++i) {
-        if (nodes.wall[i] < 0) continue;
-        const Line line(nodes.x, topology.walls[nodes.wall[i]].nodes);
-        const double scale = rho * (gravity.norm() * nodes.h[i] + 0.5 * nodes.v[i].squaredNorm());
-        const bool pulledOff = topology.isolated(i) && gravity.dot(line.inward) > 0;
+        if (nodes.wall[i] < 0 || topology.corner[i]) continue;
+        const Face<2>& face = topology.walls[nodes.wall[i]].nodes;
+        const Line line(nodes.x, face);
+        const Vec<2> slip = nodes.v[i] - line.between(line.along(nodes.x[i]), nodes.v, face);
+        const double scale = rho * (gravity.norm() * nodes.h[i] + 0.5 * slip.squaredNorm());
+        const bool pulledOff =  // the wall's acceleration is the normal part of a
+            topology.isolated(i) && (gravity - nodes.a[i]).dot(line.inward) > 1e-9 * gravity.norm();
         if (!pulledOff && !(topology.freeSurface[i] && -nodes.p[i] > controls.wallTension * scale)) continue;
         nodes.wall[i] = -1;
         nodes.p[i] = 0;

@@ -14,8 +14,8 @@ template <int Dim>
 void landOnWalls(const RemeshingControls& controls, const Topology<Dim>& topology, const Points<Dim>& xOld,
                  State<Dim>& state);
 
-/// A sliding node at the contact line with a suction above wallTension rho (g h + v^2/2), or an isolated one that
-/// gravity pulls off, is free again.
+/// A sliding node at the contact line with a suction above wallTension rho (g h + v^2/2), v relative to the
+/// wall, or an isolated one that gravity pulls off, is free again.
 template <int Dim>
 void releaseFromWalls(const RemeshingControls& controls, const Topology<Dim>& topology, const Vec<Dim>& gravity,
                       double rho, Nodes<Dim>& nodes);

@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "mesh/standing.hpp"
 #include "remesh/lostVolume.hpp"
 #include "remesh/penetration.hpp"
 #include "remesh/wallContact.hpp"
@@ -34,13 +35,36 @@ double returnRate(const Topology<Dim>& topology, const Nodes<Dim>& nodes, double
     return time > 0 ? lost / std::max(time, dt) : 0;
 }
 
-/// Velocities and accelerations that the constraints allow.
+/// Constraints between two times [s] counted from the state's.
+template <int Dim>
+NodeConstraints<Dim> constraintsOver(double from, double to, const Problem<Dim>& problem,
+                                     const State<Dim>& state, const Topology<Dim>& topology) {
+    const double now = state.time.value;
+    return nodeConstraints<Dim>(state.mesh, problem.conditions, topology, state.nodes, now + from, now + to);
+}
+
+/// Velocities and accelerations that the constraints of this instant allow.
 template <int Dim>
 void obeyConstraints(const NodeConstraints<Dim>& constraints, Nodes<Dim>& nodes) {
     for (int i = 0; i < nodes.size(); ++i) {
-        nodes.v[i] = constraints.project(i, nodes.v[i]);
-        nodes.a[i] = constraints.project(i, nodes.a[i]);
+        nodes.v[i] = constraints.velocity(i, nodes.x[i], nodes.v[i]);
+        if (!constraints.isMoved(i)) nodes.a[i] = constraints.project(i, nodes.a[i]);
     }
+}
+
+/// The topology for a step of length dt and velocities that its start allows. Walls that lift off leave their water.
+template <int Dim>
+Topology<Dim> beginStep(const Problem<Dim>& problem, double dt, State<Dim>& state) {
+    const auto& kinds = problem.conditions.kind;
+    auto topology = makeTopology<Dim>(state.mesh, kinds, state.nodes.wall);
+    if (problem.conditions.anyMotion()) {
+        const auto next = constraintsOver<Dim>(0, dt, problem, state, topology);
+        Points<Dim> v = state.nodes.v;
+        for (int i = 0; i < state.nodes.size(); ++i) v[i] = next.velocity(i, state.nodes.x[i], v[i]);
+        if (leaveFeet(topology, v, state)) topology = makeTopology<Dim>(state.mesh, kinds, state.nodes.wall);
+    }
+    obeyConstraints<Dim>(constraintsOver<Dim>(0, 0, problem, state, topology), state.nodes);
+    return topology;
 }
 
 template <int Dim>
@@ -53,15 +77,15 @@ double fluidDensity(const Problem<Dim>& problem) {
 
 /// The state after a step of report.dt with its new connectivity. Throws FailedStep when it cannot be accepted.
 template <int Dim>
-State<Dim> attempt(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& last,
+State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, const State<Dim>& last,
                    AdvanceReport& report) {
+    const Problem<Dim> problem = problemAt<Dim>(last.time.value + report.dt, problemOfRun);
     State<Dim> state = last;
     report.mesh = {};
     const double start = now();
     const auto& kinds = problem.conditions.kind;
-    const auto topology = makeTopology<Dim>(state.mesh, kinds, state.nodes.wall);
-    const auto constraints = nodeConstraints<Dim>(state.mesh, problem.conditions, topology, state.nodes);
-    obeyConstraints<Dim>(constraints, state.nodes);
+    const auto topology = beginStep<Dim>(problem, report.dt, state);
+    const auto constraints = constraintsOver<Dim>(0, report.dt, problem, state, topology);
 
     const double volume = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes);
     const double divTarget = volumeCorrection<Dim>(state, controls.continuity.volumeCorrectionTime, report.dt);
@@ -82,6 +106,7 @@ State<Dim> attempt(const Problem<Dim>& problem, const Controls& controls, const 
     report.seconds[0] += stepped - start;
 
     try {
+        if (problem.conditions.anyMotion()) standOnWalls(state.mesh, wallPatches(kinds), state.nodes);
         releaseFromWalls<Dim>(controls.remeshing, topology, problem.gravity, fluidDensity<Dim>(problem), state.nodes);
         state.ledger["released"] += cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes) - moved;
         landOnWalls<Dim>(controls.remeshing, topology, xOld, state);
@@ -140,12 +165,13 @@ AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Sta
 
 template <int Dim>
 void startConsistently(const Problem<Dim>& problem, const Controls& controls, State<Dim>& state, double dt) {
-    const auto topology = makeTopology<Dim>(state.mesh, problem.conditions.kind, state.nodes.wall);
-    const auto constraints = nodeConstraints<Dim>(state.mesh, problem.conditions, topology, state.nodes);
-    obeyConstraints<Dim>(constraints, state.nodes);
+    const auto topology = beginStep<Dim>(problem, dt, state);
+    const auto over = [&](double from, double to) {
+        return constraintsOver<Dim>(from, to, problem, state, topology);
+    };
     try {
         state.nodes =
-            consistentStart<Dim>(problem, controls, state.mesh, topology, constraints, state.nodes, dt);
+            consistentStart<Dim>(problemAt<Dim>(state.time.value, problem), controls, state.mesh, topology, over, state.nodes, 1e-3 * dt);
     } catch (const StepFailure& failure) {
         throw StepFailure("The pressure at the start cannot be computed; are the physical constants, their units and "
                           "the factors in system/pfemSolution sound?\n" +

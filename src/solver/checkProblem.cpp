@@ -3,6 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <sstream>
+
+#include "dictionary/print.hpp"
 
 #include "dictionary/flatEntries.hpp"
 
@@ -49,6 +53,36 @@ std::vector<PatchRole> patchRoles(const State<Dim>& state) {
     return roles;
 }
 
+/// The text of a patch's motion, empty without.
+std::string motionText(const Dictionary& entry) {
+    if (!entry.found("motion")) return "";
+    std::ostringstream text;
+    print(text, entry.subDict("motion"));
+    return text.str();
+}
+
+/// Where patches that hold their nodes meet, they must move alike: a node cannot follow both.
+template <int Dim>
+void checkMotions(const Dictionary& dict, const BoundaryConditions<Dim>& conditions, const Mesh<Dim>& mesh) {
+    if (!conditions.anyMotion()) return;
+    std::map<int, std::size_t> patchOf;
+    for (std::size_t k = 0; k < mesh.patches.size(); ++k) {
+        if (!isWall(conditions.kind[k]) && conditions.kind[k] != PatchKind::clamped) continue;
+        for (const auto& face : mesh.patches[k].faces)
+            for (int node : face) {
+                const std::size_t other = patchOf.emplace(node, k).first->second;
+                const std::string &name = mesh.patches[k].name, &otherName = mesh.patches[other].name;
+                if (motionText(dict.subDict(name)) == motionText(dict.subDict(otherName))) continue;
+                const std::string& moving = conditions.motion[k] ? name : otherName;
+                dict.subDict(moving).fatal(
+                    "motion",
+                    "'" + name + "' and '" + otherName +
+                        "' have a common corner but do not move alike. A wall that leaves other walls needs "
+                        "the entry 'moving true;' in system/meshDict; then run pfemMesh again");
+            }
+    }
+}
+
 }  // namespace
 
 template <int Dim>
@@ -76,6 +110,7 @@ void checkConditions(const Dictionary& dict, const BoundaryConditions<Dim>& cond
         if ((kind == PatchKind::clamped || kind == PatchKind::traction) && roles[k].offSolid)
             entry.fatal("type", "'" + name + "' is not the edge of a solid: only solids can be clamped or loaded");
     }
+    checkMotions<Dim>(dict, conditions, state.mesh);
 }
 
 template <int Dim>

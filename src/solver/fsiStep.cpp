@@ -21,13 +21,13 @@ namespace pfem {
 namespace {
 
 /// Positions and accelerations that follow from the trial velocities (22). Isolated particles are in ballistic flight
-/// or slide down their wall.
+/// or slide down their wall. What follows a moving wall does so whatever the trial says.
 template <int Dim>
 void moveNodes(const Newmark& newmark, const NodeConstraints<Dim>& constraints, const Topology<Dim>& topology,
                const Vec<Dim>& gravity, const Nodes<Dim>& old, Nodes<Dim>& trial) {
     const double dt = newmark.dt;
     for (int i = 0; i < old.size(); ++i) {
-        if (constraints.hold[i] == Hold::fixed) continue;
+        if (constraints.hold[i] == Hold::fixed && !constraints.isMoved(i)) continue;
         const Vec<Dim> fall = constraints.project(i, gravity);
         if (topology.isolated(i)) {
             trial.v[i] = old.v[i] + dt * fall;
@@ -35,6 +35,10 @@ void moveNodes(const Newmark& newmark, const NodeConstraints<Dim>& constraints, 
         }
         trial.x[i] = newmark.position<Dim>(old.x[i], old.v[i], trial.v[i]);
         trial.a[i] = topology.isolated(i) ? fall : newmark.acceleration<Dim>(old.v[i], trial.v[i], old.a[i]);
+        if (!constraints.isMoved(i)) continue;
+        trial.x[i] = constraints.position(i, old.x[i], trial.x[i]);
+        trial.v[i] = constraints.velocity(i, trial.x[i], trial.v[i]);
+        trial.a[i] = constraints.combine(i, trial.a[i], (trial.v[i] - old.v[i]) / dt);  // no ringing after a jump
     }
 }
 
@@ -192,14 +196,22 @@ StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, c
 
 template <int Dim>
 Nodes<Dim> consistentStart(Problem<Dim> problem, Controls controls, const Mesh<Dim>& mesh,
-                           const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,
-                           const Nodes<Dim>& nodes, double dt) {
-    for (auto& material : problem.materials) material.fluid.kappa = 1e300;
+                           const Topology<Dim>& topology, const ConstraintsOver<Dim>& constraintsOver,
+                           const Nodes<Dim>& nodes, double moment) {
+    // a fluid without free surface has its pressure up to a constant: a trace of compressibility says which
+    const bool open = std::find(topology.freeSurface.begin(), topology.freeSurface.end(), 1) != topology.freeSurface.end();
+    double h = 0;
+    for (double size : nodes.h) h = std::max(h, size);
+    for (auto& material : problem.materials)
+        material.fluid.kappa = open ? 1e300 : 1e8 * material.fluid.rho * h * h / (moment * moment);
     controls.timeIntegration.gamma = 1;
-    controls.convergence.tolU = controls.convergence.tolP = 1e-11;
+    controls.convergence.tolU = 1e-11;
+    controls.convergence.tolP = open ? 1e-11 : 1e-6;
     controls.convergence.maxIterations = 300;
-    const double moment = 1e-3 * dt;
+    double t = 0;  // walls that accelerate go on doing so
     const auto step = [&](const Nodes<Dim>& from) {
+        const auto constraints = constraintsOver(t, t + moment);
+        t += moment;
         return fsiStep<Dim>(problem, controls, mesh, topology, constraints, from, moment, 0).nodes;
     };
     Nodes<Dim> start = nodes;
@@ -223,11 +235,12 @@ Nodes<Dim> consistentStart(Problem<Dim> problem, Controls controls, const Mesh<D
     return start;
 }
 
-#define PFEM_INSTANTIATE(D)                                                                                  \
-    template StepResult<D> fsiStep<D>(const Problem<D>&, const Controls&, const Mesh<D>&, const Topology<D>&, \
-                                      const NodeConstraints<D>&, const Nodes<D>&, double, double);           \
-    template Nodes<D> consistentStart<D>(Problem<D>, Controls, const Mesh<D>&, const Topology<D>&,           \
-                                         const NodeConstraints<D>&, const Nodes<D>&, double);
+#define PFEM_INSTANTIATE(D)                                                                           \
+    template StepResult<D> fsiStep<D>(const Problem<D>&, const Controls&, const Mesh<D>&,             \
+                                      const Topology<D>&, const NodeConstraints<D>&, const Nodes<D>&, \
+                                      double, double);                                                \
+    template Nodes<D> consistentStart<D>(Problem<D>, Controls, const Mesh<D>&, const Topology<D>&,    \
+                                         const ConstraintsOver<D>&, const Nodes<D>&, double);
 PFEM_INSTANTIATE(2)
 
 }  // namespace pfem

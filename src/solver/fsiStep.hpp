@@ -1,6 +1,8 @@
 #pragma once
 // One time step: Algorithm 1.
 
+#include <functional>
+
 #include "solver/controls.hpp"
 #include "solver/failedStep.hpp"
 #include "state/problem.hpp"
@@ -30,12 +32,16 @@ StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, c
                         const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,
                         const Nodes<Dim>& old, double dt, double divTarget);
 
-/// Pressure and acceleration at t = 0 that agree with the forces: one backward Euler step of vanishing length of the
-/// incompressible fluid, of which only p and a are kept. Initial velocities that walls and incompressibility do not
-/// allow are made so by an impulse before.
+/// The constraints between two times [s] counted from the present one.
+template <int Dim>
+using ConstraintsOver = std::function<NodeConstraints<Dim>(double from, double to)>;
+
+/// Pressure and acceleration at t = 0 that agree with the forces: one backward Euler step of the vanishing
+/// length `moment` [s] of the incompressible fluid, of which only p and a are kept. Initial velocities that
+/// walls and incompressibility do not allow are made so by an impulse before.
 template <int Dim>
 Nodes<Dim> consistentStart(Problem<Dim> problem, Controls controls, const Mesh<Dim>& mesh,
-                           const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,
-                           const Nodes<Dim>& nodes, double dt);
+                           const Topology<Dim>& topology, const ConstraintsOver<Dim>& constraintsOver,
+                           const Nodes<Dim>& nodes, double moment);
 
 }  // namespace pfem

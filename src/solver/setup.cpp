@@ -10,15 +10,14 @@ namespace pfem {
 
 namespace {
 
-template <int Dim>
-Vec<Dim> readGravity(const Dictionary& dict) {
+Function1Ptr<Eigen::Vector3d> readGravity(const Dictionary& dict) {
     if (dict.found("dimensions")) {
         TokenReader reader = dict.reader("dimensions");
         if (!sameDimensions(readDimensions(reader), {0, 1, -2, 0, 0, 0, 0}))
             dict.fatal("dimensions", "gravity is an acceleration: dimensions [0 1 -2 0 0 0 0]");
         reader.end();
     }
-    return dict.get<Eigen::Vector3d>("value").head<Dim>();
+    return readFunction1<Eigen::Vector3d>(dict, "value");
 }
 
 template <class Options>
@@ -53,7 +52,8 @@ Problem<Dim> readProblem(const Case& theCase, const State<Dim>& state, std::ostr
     checkOneFluid<Dim>(materials, mesh);
 
     const Dictionary g = Dictionary::read(theCase.constant("g"));
-    problem.gravity = readGravity<Dim>(g);
+    problem.gravityOverTime = readGravity(g);
+    problem.gravity = problem.gravityOverTime->value(state.time.value).template head<Dim>();
     const Dictionary conditions = Dictionary::read(theCase.constant("boundaryConditions"));
     problem.conditions = readBoundaryConditions<Dim>(conditions, mesh.patches);
     checkConditions<Dim>(conditions, problem.conditions, state);

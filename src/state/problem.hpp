@@ -1,5 +1,5 @@
 #pragma once
-// What does not change during a run: physics and boundary conditions.
+// Physics and boundary conditions; gravity and tractions may depend on time.
 
 #include "material/material.hpp"
 #include "momentum/boundaryConditions.hpp"
@@ -10,11 +10,22 @@ namespace pfem {
 template <int Dim>
 struct Problem {
     std::vector<Material> materials;  // in the order of Mesh::materials
-    Vec<Dim> gravity = Vec<Dim>::Zero();
+    Vec<Dim> gravity = Vec<Dim>::Zero();               // at the time in question [m/s2]
+    Function1Ptr<Eigen::Vector3d> gravityOverTime;  // null: it stays as it is
     BoundaryConditions<Dim> conditions;
 
     const Newtonian& fluid(int material) const { return materials[material].fluid; }
     const Hypoelastic& solid(int material) const { return materials[material].solid; }
 };
+
+/// The problem with gravity and tractions of time t [s].
+template <int Dim>
+Problem<Dim> problemAt(double t, Problem<Dim> problem) {
+    if (problem.gravityOverTime) problem.gravity = problem.gravityOverTime->value(t).template head<Dim>();
+    BoundaryConditions<Dim>& c = problem.conditions;
+    for (std::size_t k = 0; k < c.tractionOverTime.size(); ++k)
+        if (c.tractionOverTime[k]) c.traction[k] = c.tractionOverTime[k]->value(t).template head<Dim>();
+    return problem;
+}
 
 }  // namespace pfem

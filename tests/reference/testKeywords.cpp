@@ -76,7 +76,7 @@ TEST(Keywords, MeshDictIsComplete) {
         "0.2; "
         "velocity (1 2); pattern checkerboard; cells (3 4); holes (); edges (arc 0 1 (0.5 -0.1)); "
         "patches { p { edges ((0 1)); } } } } "
-        "walls { w { points ((0 0) (1 0)); closed no; meshSize 1; edges (); } }");
+        "walls { w { points ((0 0) (1 0)); closed no; moving no; meshSize 1; edges (); } }");
     readMeshDict(dict, {"oil"});
     expectDocumented(*dict.node(), names(meshKeywords()), {"a", "p", "w"});
 }
@@ -88,7 +88,7 @@ TEST(Keywords, ConstantIsComplete) {
     expectDocumented(*materials.node(), names(constantKeywords()), {"water", "steel"});
     const auto conditions = Dictionary::parse(
         "a { type slip; } b { type clamped; } c { type symmetry; } d { type traction; traction (0 1 0); } e "
-        "{ type noSlip; }");
+        "{ type noSlip; motion { velocity (1 0 0); omega 1; origin (0 0 0); } }");
     std::vector<Patch<2>> patches;
     for (const char* name : {"a", "b", "c", "d", "e"}) patches.push_back({name, {}});
     readBoundaryConditions<2>(conditions, patches);

@@ -22,7 +22,8 @@ struct TestCase {
     const std::vector<PatchKind>& kinds() const { return problem.conditions.kind; }
     Topology<2> topology() const { return makeTopology<2>(state.mesh, kinds(), state.nodes.wall); }
     NodeConstraints<2> constraints(const Topology<2>& topology) const {
-        return nodeConstraints<2>(state.mesh, problem.conditions, topology, state.nodes);
+        return nodeConstraints<2>(state.mesh, problem.conditions, topology, state.nodes, state.time.value,
+                                  state.time.value);
     }
     void start(double dt) { startConsistently<2>(problem, controls, state, dt); }
     AdvanceReport step(double dt) {

@@ -42,7 +42,7 @@ TEST(Tutorials, pfemSolutionHoldsTheDefaults) {
 }
 
 TEST(Tutorials, pfemSolutionHasNoUnknownEntry) {
-    for (const char* name : {"damBreakElasticWall", "cantilever", "hydrostaticPlate", "sloshing"}) {
+    for (const char* name : {"damBreakElasticWall", "cantilever", "hydrostaticPlate", "sloshing", "waveMaker"}) {
         const Case theCase(std::string(PFEM_SOURCE_DIR) + "/tutorials/" + name);
         testing::internal::CaptureStderr();
         readControls(theCase);
