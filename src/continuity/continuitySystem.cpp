@@ -35,6 +35,11 @@ Unknowns numberUnknowns(const Topology<Dim>& topology, const NodeConstraints<Dim
     return u;
 }
 
+template <int Dim>
+int nVelocities(const Unknowns& u, const SolidDofs<Dim>& solid, int node) {
+    return solid.local[node] >= 0 ? solid.count[node] : u.surface[node] >= 0 ? Dim : 0;
+}
+
 /// Visit the velocity unknowns of a node: visit(unknown, direction).
 template <int Dim, class Visitor>
 void forVelocities(const Unknowns& u, const SolidDofs<Dim>& solid, int node, Visitor&& visit) {
@@ -45,57 +50,105 @@ void forVelocities(const Unknowns& u, const SolidDofs<Dim>& solid, int node, Vis
         for (int c = 0; c < Dim; ++c) visit(u.surface[node] + c, Vec<Dim>(Vec<Dim>::Unit(c)));
 }
 
+/// Where the columns start, from the neighbours in the fluid and the matrix of the solid.
 template <int Dim>
-SymmetricMatrix coupledPattern(const Cells<Dim>& cells, const Topology<Dim>& topology, const Unknowns& u,
-                               const SolidDofs<Dim>& dofs, const SymmetricMatrix& solid) {
-    const NodeToNodes ring = nodeToNodes<Dim>(cells.nodes, topology.fluid);
-    std::vector<std::vector<int>> lower(u.n);
-    for (int i = 0; i < topology.nNodes(); ++i) {
-        if (u.pressure[i] < 0) continue;
-        auto& rows = lower[u.pressure[i]];
-        const auto addVelocities = [&](int node) {
-            forVelocities<Dim>(u, dofs, node, [&](int unknown, const Vec<Dim>&) { rows.push_back(unknown); });
-        };
-        addVelocities(i);
-        for (int s = ring.start[i]; s < ring.start[i + 1]; ++s) {
-            if (u.pressure[ring.node[s]] > u.pressure[i]) rows.push_back(u.pressure[ring.node[s]]);
-            addVelocities(ring.node[s]);
-        }
-        std::sort(rows.begin(), rows.end());
+std::vector<int> columnStarts(const NodeToNodes& ring, const Unknowns& u, const SolidDofs<Dim>& dofs,
+                              const SymmetricMatrix& solid) {
+    std::vector<int> start(u.n + 1, 1);  // the diagonals
+    start[0] = 0;
+    for (std::size_t i = 0; i < u.pressure.size(); ++i) {
+        const int p = u.pressure[i];
+        if (p < 0) continue;
+        start[p + 1] += nVelocities<Dim>(u, dofs, static_cast<int>(i));
+        for (int s = ring.start[i]; s < ring.start[i + 1]; ++s)
+            start[p + 1] += (u.pressure[ring.node[s]] > p) + nVelocities<Dim>(u, dofs, ring.node[s]);
     }
-    for (int j = 0; j < solid.n; ++j)
-        for (int s = solid.start[j] + 1; s < solid.start[j + 1]; ++s)
-            lower[u.nPressure + j].push_back(u.nPressure + solid.row[s]);
-    return symmetricPattern(lower);
+    for (int j = 0; j < solid.n; ++j) start[u.nPressure + j + 1] = solid.start[j + 1] - solid.start[j];
+    for (int j = 0; j < u.n; ++j) start[j + 1] += start[j];
+    return start;
 }
 
-/// K_p without its face terms, and B.
+/// The columns of one pressure: its node, the neighbours in order, and the sums over the cells around it.
+template <int Dim>
+struct PressureColumn {
+    std::vector<int> node;
+    std::vector<double> K;       // laplacian and compressibility
+    std::vector<Vec<Dim>> B;     // Omega_I G_IJ
+
+    void begin(int i, const NodeToNodes& ring) {
+        node.assign(ring.node.begin() + ring.start[i], ring.node.begin() + ring.start[i + 1]);
+        node.insert(std::lower_bound(node.begin(), node.end(), i), i);
+        K.assign(node.size(), 0.0);
+        B.assign(node.size(), Vec<Dim>::Zero());
+    }
+    std::size_t at(int other) const { return std::find(node.begin(), node.end(), other) - node.begin(); }
+};
+
+/// Rows and values of one pressure column, written from slot `s` on: diagonal, pressures, solids, surface.
+template <int Dim>
+void writeColumn(const PressureColumn<Dim>& column, int i, const Unknowns& u, const SolidDofs<Dim>& dofs,
+                 const NodeConstraints<Dim>& constraints, int s, SymmetricMatrix& A) {
+    const auto put = [&](int row, double value) {
+        A.row[s] = row;
+        A.value[s++] = value;
+    };
+    for (std::size_t k = 0; k < column.node.size(); ++k)
+        if (u.pressure[column.node[k]] >= u.pressure[i]) put(u.pressure[column.node[k]], column.K[k]);
+    for (const bool ofSolid : {true, false})
+        for (std::size_t k = 0; k < column.node.size(); ++k) {
+            const int node = column.node[k];
+            if ((dofs.local[node] >= 0) != ofSolid) continue;
+            forVelocities<Dim>(u, dofs, node, [&](int unknown, const Vec<Dim>& direction) {
+                put(unknown, constraints.project(node, column.B[k]).dot(direction));
+            });
+        }
+}
+
+/// K_p without its face terms, and B: each pressure gathers from the cells around it.
 template <int Dim>
 void addCells(SymmetricMatrix& A, const Problem<Dim>& problem, const ContinuityControls& controls,
-              const Cells<Dim>& cells, const Patches<Dim>& patches, const std::vector<double>& tau, const Unknowns& u,
-              const SolidDofs<Dim>& dofs, const NodeConstraints<Dim>& constraints, const Newmark& newmark) {
-    for (int e = 0; e < cells.size(); ++e) {
-        const Newtonian& fluid = problem.fluid(cells.material[e]);
-        const auto& g = patches.element[e];
-        const double laplacian = tau[e] + controls.schurScale / (fluid.rho * newmark.massFactor());
-        const double share = g.measure / (Dim + 1);
-        for (int k = 0; k <= Dim; ++k) {
-            const int i = u.pressure[cells.nodes[e][k]];
-            if (i < 0) continue;
-            A.add(i, i, share / (fluid.kappa * newmark.dt));
-            for (int l = 0; l <= Dim; ++l) {
-                const int node = cells.nodes[e][l];
-                const int j = u.pressure[node];
-                if (j >= i) A.add(i, j, laplacian * g.measure * g.gradN[k].dot(g.gradN[l]));
-                const Vec<Dim> B = share * constraints.project(node, g.gradN[l]);
-                forVelocities<Dim>(u, dofs, node, [&](int unknown, const Vec<Dim>& direction) {
-                    A.add(i, unknown, B.dot(direction));
-                });
+              const Cells<Dim>& cells, const Topology<Dim>& topology, const Patches<Dim>& patches,
+              const std::vector<double>& tau, const Unknowns& u, const SolidDofs<Dim>& dofs,
+              const NodeConstraints<Dim>& constraints, const Newmark& newmark) {
+    const NodeToCells& around = topology.fluid;
+#pragma omp parallel
+    {
+        PressureColumn<Dim> column;
+#pragma omp for schedule(static)
+        for (int i = 0; i < topology.nNodes(); ++i) {
+            if (u.pressure[i] < 0) continue;
+            column.begin(i, topology.ring);
+            for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
+                const int e = around.cell[s], k = around.corner[s];
+                const Newtonian& fluid = problem.fluid(cells.material[e]);
+                const auto& g = patches.element[e];
+                const double laplacian = tau[e] + controls.schurScale / (fluid.rho * newmark.massFactor());
+                const double share = g.measure / (Dim + 1);
+                for (int l = 0; l <= Dim; ++l) {
+                    const std::size_t at = column.at(cells.nodes[e][l]);
+                    column.K[at] += laplacian * g.measure * g.gradN[k].dot(g.gradN[l]);
+                    if (l == k) column.K[at] += share / (fluid.kappa * newmark.dt);
+                    column.B[at] += share * g.gradN[l];
+                }
             }
+            writeColumn<Dim>(column, i, u, dofs, constraints, A.start[u.pressure[i]], A);
         }
     }
 }
 
+/// -A/c of the solids.
+void addSolid(SymmetricMatrix& A, const ContinuityControls& controls, const Unknowns& u, const SymmetricMatrix& solid) {
+    // without compliance the solid block stays, decoupled: divide by a tiny number instead of zero
+    const double scale = 1 / std::max(controls.complianceScale, 1e-12);
+    for (int j = 0; j < solid.n; ++j)
+        for (int s = solid.start[j]; s < solid.start[j + 1]; ++s) {
+            const int at = A.start[u.nPressure + j] + s - solid.start[j];
+            A.row[at] = u.nPressure + solid.row[s];
+            A.value[at] = -scale * solid.value[s];
+        }
+}
+
+/// Weak p = 0 and the mass of the surface's velocities.
 template <int Dim>
 void addFreeSurface(SymmetricMatrix& A, const Problem<Dim>& problem, const ContinuityControls& controls,
                     const Cells<Dim>& cells, const Topology<Dim>& topology, const Patches<Dim>& patches,
@@ -107,8 +160,8 @@ void addFreeSurface(SymmetricMatrix& A, const Problem<Dim>& problem, const Conti
         const double twoOverH = 2 * measure / (Dim * patches.element[face.cell].measure);
         for (int node : face.nodes)
             if (u.pressure[node] >= 0)
-                A.add(u.pressure[node], u.pressure[node],
-                      controls.freeSurfaceWeight * tau[face.cell] * twoOverH * measure / Dim);
+                A.value[A.start[u.pressure[node]]] +=
+                    controls.freeSurfaceWeight * tau[face.cell] * twoOverH * measure / Dim;
     }
     const double scale = 1 / std::max(controls.freeSurfaceScale, 1e-12);
     for (int i = 0; i < topology.nNodes(); ++i) {
@@ -118,9 +171,36 @@ void addFreeSurface(SymmetricMatrix& A, const Problem<Dim>& problem, const Conti
             const int e = topology.fluid.cell[s];
             mass += problem.fluid(cells.material[e]).rho * patches.element[e].measure / (Dim + 1);
         }
-        for (int c = 0; c < Dim; ++c) A.add(u.surface[i] + c, u.surface[i] + c, -scale * newmark.massFactor() * mass);
+        for (int c = 0; c < Dim; ++c) {
+            const int at = A.start[u.surface[i] + c];
+            A.row[at] = u.surface[i] + c;
+            A.value[at] = -scale * newmark.massFactor() * mass;
+        }
     }
 }
+
+/// Part of each unknown: that of its node.
+template <int Dim>
+std::vector<int> partsOfUnknowns(const Topology<Dim>& topology, const Points<Dim>& x, const Unknowns& u,
+                                 const SolidDofs<Dim>& dofs, int nParts) {
+    std::vector<int> nodes;
+    Points<Dim> place;
+    for (int i = 0; i < topology.nNodes(); ++i)
+        if (u.pressure[i] >= 0 || nVelocities<Dim>(u, dofs, i) > 0) {
+            nodes.push_back(i);
+            place.push_back(x[i]);
+        }
+    const auto part = slabs<Dim>(place, nParts);
+    std::vector<int> result(u.n, 0);
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        if (u.pressure[nodes[k]] >= 0) result[u.pressure[nodes[k]]] = part[k];
+        forVelocities<Dim>(u, dofs, nodes[k], [&](int unknown, const Vec<Dim>&) { result[unknown] = part[k]; });
+    }
+    return result;
+}
+
+/// As many as pay: each has an ordering and a factor of its own, and what lies between them grows.
+int nParts(int unknowns) { return unknowns < 2000 ? 1 : unknowns < 100000 ? 2 : 4; }
 
 }  // namespace
 
@@ -137,17 +217,17 @@ ContinuitySystem<Dim>::ContinuitySystem(const Problem<Dim>& problem, const Conti
     n_ = u.n;
     if (n_ == 0) return;
 
-    SymmetricMatrix A = coupledPattern<Dim>(cells, topology, u, dofs, solid);
-    addCells<Dim>(A, problem, controls, cells, patches, tau, u, dofs, constraints, newmark);
+    SymmetricMatrix A;
+    A.n = u.n;
+    A.start = columnStarts<Dim>(topology.ring, u, dofs, solid);
+    A.row.resize(A.start[u.n]);
+    A.value.resize(A.start[u.n]);
+    addCells<Dim>(A, problem, controls, cells, topology, patches, tau, u, dofs, constraints, newmark);
+    addSolid(A, controls, u, solid);
     if (!strong) addFreeSurface<Dim>(A, problem, controls, cells, topology, patches, tau, x, u, newmark);
-    // without compliance the solid block stays, decoupled: divide by a tiny number instead of zero
-    const double scale = 1 / std::max(controls.complianceScale, 1e-12);
-    for (int j = 0; j < solid.n; ++j)
-        for (int s = solid.start[j]; s < solid.start[j + 1]; ++s)
-            A.add(u.nPressure + j, u.nPressure + solid.row[s], -scale * solid.value[s]);
 
-    factor_.analyze(A);
-    factor_.factorize(A);
+    const int parts = nParts(u.n);
+    factor_.factorize(A, partsOfUnknowns<Dim>(topology, x, u, dofs, parts), parts);
 }
 
 template <int Dim>

@@ -3,7 +3,7 @@
 
 #include "continuity/controls.hpp"
 #include "integration/nodalPatches.hpp"
-#include "linear/ldlt.hpp"
+#include "linear/dissectedLdlt.hpp"
 #include "momentum/solidMatrix.hpp"
 #include "state/problem.hpp"
 
@@ -37,7 +37,7 @@ public:
 private:
     int n_ = 0;
     std::vector<int> unknown_;  // per node: its pressure unknown or -1
-    Ldlt factor_;
+    DissectedLdlt factor_;
 };
 
 }  // namespace pfem

@@ -2,7 +2,9 @@
 
 #include <cholmod.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "base/error.hpp"
 
@@ -12,14 +14,13 @@ struct Ldlt::Cholmod {
     cholmod_common common;
     cholmod_factor* factor = nullptr;
     int n = 0;
+    int nLast = 0;
 
     Cholmod() {
         cholmod_start(&common);
         common.supernodal = CHOLMOD_SIMPLICIAL;  // LL^T would need positive definiteness
         common.final_ll = 0;
         common.nmethods = 1;
-        common.method[0].ordering = CHOLMOD_AMD;
-        common.postorder = 1;
         common.print = 0;
         common.error_handler = nullptr;
     }
@@ -50,6 +51,21 @@ cholmod_sparse view(const SymmetricMatrix& A) {
     return s;
 }
 
+/// The columns of a simplicial factor, diagonal D first.
+struct Columns {
+    const int *start, *count, *row, *order;
+    const double* value;
+    int n;
+
+    explicit Columns(const cholmod_factor& L)
+        : start(static_cast<const int*>(L.p)),
+          count(static_cast<const int*>(L.nz)),
+          row(static_cast<const int*>(L.i)),
+          order(static_cast<const int*>(L.Perm)),
+          value(static_cast<const double*>(L.x)),
+          n(static_cast<int>(L.n)) {}
+};
+
 /// Are all pivots numbers? CHOLMOD itself goes on with those that are not.
 bool isFinite(const cholmod_factor& L) {
     const auto* start = static_cast<const int*>(L.p);
@@ -66,12 +82,25 @@ Ldlt::~Ldlt() = default;
 Ldlt::Ldlt(Ldlt&&) noexcept = default;
 Ldlt& Ldlt::operator=(Ldlt&&) noexcept = default;
 
-void Ldlt::analyze(const SymmetricMatrix& A) {
+void Ldlt::analyze(const SymmetricMatrix& A, int nLast) {
     auto& c = *cholmod_;
     if (c.factor) cholmod_free_factor(&c.factor, &c.common);
     cholmod_sparse s = view(A);
     c.n = A.n;
-    c.factor = cholmod_analyze(&s, &c.common);
+    c.nLast = nLast;
+    if (nLast == 0) {
+        c.common.method[0].ordering = CHOLMOD_AMD;
+        c.common.postorder = 1;
+        c.factor = cholmod_analyze(&s, &c.common);
+    } else {
+        std::vector<int> order(A.n), group(A.n, 0);
+        std::fill(group.end() - nLast, group.end(), 1);
+        if (!cholmod_camd(&s, nullptr, 0, group.data(), order.data(), &c.common))
+            throw StepFailure("matrix ordering failed (out of memory?)");
+        c.common.method[0].ordering = CHOLMOD_GIVEN;
+        c.common.postorder = 0;  // it would mix the groups
+        c.factor = cholmod_analyze_p(&s, order.data(), nullptr, 0, &c.common);
+    }
     if (!c.factor) throw StepFailure("matrix analysis failed (out of memory?)");
 }
 
@@ -96,6 +125,40 @@ Eigen::VectorXd Ldlt::solve(const Eigen::VectorXd& b) const {
     Eigen::VectorXd x = Eigen::Map<Eigen::VectorXd>(static_cast<double*>(solution->x), c.n);
     cholmod_free_dense(&solution, &c.common);
     return x;
+}
+
+Eigen::MatrixXd Ldlt::lastBlock() const {
+    const Columns L(*cholmod_->factor);
+    const int nLast = cholmod_->nLast, first = L.n - nLast;
+    Eigen::MatrixXd block = Eigen::MatrixXd::Zero(nLast, nLast);
+    for (int j = first; j < L.n; ++j) {  // sum_j l_j d_j l_j^T
+        const double d = L.value[L.start[j]];
+        const auto at = [&](int s) { return s == L.start[j] ? 1.0 : L.value[s]; };
+        for (int a = L.start[j]; a < L.start[j] + L.count[j]; ++a)
+            for (int b = L.start[j]; b < L.start[j] + L.count[j]; ++b)
+                block(L.order[L.row[a]] - first, L.order[L.row[b]] - first) += at(a) * d * at(b);
+    }
+    return block;
+}
+
+void Ldlt::eliminate(Eigen::VectorXd& b) const {
+    const Columns L(*cholmod_->factor);
+    std::vector<double> w(L.n);
+    for (int j = 0; j < L.n; ++j) w[j] = b[L.order[j]];
+    for (int j = 0; j < L.n - cholmod_->nLast; ++j)
+        for (int s = L.start[j] + 1; s < L.start[j] + L.count[j]; ++s) w[L.row[s]] -= L.value[s] * w[j];
+    for (int j = 0; j < L.n; ++j) b[L.order[j]] = w[j];
+}
+
+void Ldlt::backSubstitute(Eigen::VectorXd& x) const {
+    const Columns L(*cholmod_->factor);
+    std::vector<double> w(L.n);
+    for (int j = 0; j < L.n; ++j) w[j] = x[L.order[j]];
+    for (int j = L.n - cholmod_->nLast - 1; j >= 0; --j) {
+        w[j] /= L.value[L.start[j]];
+        for (int s = L.start[j] + 1; s < L.start[j] + L.count[j]; ++s) w[j] -= L.value[s] * w[L.row[s]];
+    }
+    for (int j = 0; j < L.n; ++j) x[L.order[j]] = w[j];
 }
 
 }  // namespace pfem

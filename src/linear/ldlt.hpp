@@ -16,14 +16,23 @@ public:
     Ldlt(Ldlt&&) noexcept;
     Ldlt& operator=(Ldlt&&) noexcept;
 
-    /// Fill-reducing ordering and pattern of L (approximate minimum degree).
-    void analyze(const SymmetricMatrix& A);
+    /// Fill-reducing ordering and pattern of L (approximate minimum degree). The last nLast unknowns are ordered last.
+    void analyze(const SymmetricMatrix& A, int nLast = 0);
 
     /// Numerical factorisation; the pattern must be the analysed one.
     /// Throws StepFailure when a pivot vanishes or is not finite.
     void factorize(const SymmetricMatrix& A);
 
     Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+
+    /// Schur complement of the last unknowns, nLast x nLast: A_ll - A_lf A_ff^{-1} A_fl, f the first ones.
+    Eigen::MatrixXd lastBlock() const;
+
+    /// Forward elimination of the first unknowns: the last entries of b become b_l - A_lf A_ff^{-1} b_f.
+    void eliminate(Eigen::VectorXd& b) const;
+
+    /// x_f from eliminated first entries and the solution in the last ones.
+    void backSubstitute(Eigen::VectorXd& x) const;
 
 private:
     struct Cholmod;

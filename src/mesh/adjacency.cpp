@@ -27,41 +27,57 @@ NodeToCells nodeToCells(const std::vector<Simplex<Dim>>& cells, int nNodes) {
 
 template <int Dim>
 NodeToNodes nodeToNodes(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around) {
-    NodeToNodes result;
     const int nNodes = static_cast<int>(around.start.size()) - 1;
+    std::vector<int> ring(around.cell.size() * Dim);  // of node i: from Dim * around.start[i] on
+    NodeToNodes result;
     result.start.assign(around.start.size(), 0);
-    result.node.reserve(cells.size() * (Dim + 2));
-    std::vector<int> ring;
+#pragma omp parallel for schedule(static)
     for (int i = 0; i < nNodes; ++i) {
-        ring.clear();
+        int* const first = ring.data() + static_cast<std::ptrdiff_t>(Dim) * around.start[i];
+        int* last = first;
         for (int s = around.start[i]; s < around.start[i + 1]; ++s)
-            for (int node : cells[around.cell[s]])
-                if (node != i) ring.push_back(node);
-        std::sort(ring.begin(), ring.end());
-        ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
-        result.node.insert(result.node.end(), ring.begin(), ring.end());
-        result.start[i + 1] = static_cast<int>(result.node.size());
+            for (int node : cells[around.cell[s]]) {
+                if (node == i) continue;
+                int* at = last;  // insertion into the sorted list: it is short
+                while (at != first && at[-1] > node) --at;
+                if (at != first && at[-1] == node) continue;
+                std::copy_backward(at, last, last + 1);
+                *at = node;
+                ++last;
+            }
+        result.start[i + 1] = static_cast<int>(last - first);
     }
+    for (int i = 0; i < nNodes; ++i) result.start[i + 1] += result.start[i];
+    result.node.resize(result.start[nNodes]);
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < nNodes; ++i)
+        std::copy_n(ring.data() + static_cast<std::ptrdiff_t>(Dim) * around.start[i],
+                    result.start[i + 1] - result.start[i], result.node.data() + result.start[i]);
     return result;
 }
 
 template <int Dim>
 std::vector<BoundaryFace<Dim>> boundaryFaces(const std::vector<Simplex<Dim>>& cells,
                                              const NodeToCells& around) {
+    const auto isShared = [&](int e, const Face<Dim>& face) {
+        for (int s = around.start[face[0]]; s < around.start[face[0] + 1]; ++s) {
+            const auto& other = cells[around.cell[s]];
+            if (around.cell[s] != e && std::all_of(face.begin() + 1, face.end(), [&](int node) {
+                    return std::find(other.begin(), other.end(), node) != other.end();
+                }))
+                return true;
+        }
+        return false;
+    };
+    std::vector<unsigned char> open(cells.size(), 0);  // bit k: the face opposite to node k
+#pragma omp parallel for schedule(static)
+    for (int e = 0; e < static_cast<int>(cells.size()); ++e)
+        for (int k = 0; k <= Dim; ++k)
+            if (!isShared(e, oppositeFace<Dim>(cells[e], k))) open[e] |= static_cast<unsigned char>(1 << k);
     std::vector<BoundaryFace<Dim>> boundary;
     for (int e = 0; e < static_cast<int>(cells.size()); ++e)
-        for (int k = 0; k <= Dim; ++k) {
-            const Face<Dim> face = oppositeFace<Dim>(cells[e], k);
-            bool shared = false;
-            for (int s = around.start[face[0]]; s < around.start[face[0] + 1] && !shared; ++s) {
-                const int other = around.cell[s];
-                if (other == e) continue;
-                shared = std::all_of(face.begin() + 1, face.end(), [&](int node) {
-                    return std::find(cells[other].begin(), cells[other].end(), node) != cells[other].end();
-                });
-            }
-            if (!shared) boundary.push_back({face, e, k});
-        }
+        for (int k = 0; open[e] != 0 && k <= Dim; ++k)
+            if (open[e] & (1 << k)) boundary.push_back({oppositeFace<Dim>(cells[e], k), e, k});
     return boundary;
 }
 

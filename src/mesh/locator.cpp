@@ -73,17 +73,8 @@ int Locator<Dim>::find(const Vec<Dim>& point) const {
     if (entry_.empty()) return -1;
     int index = 0;
     for (int d = Dim - 1; d >= 0; --d) index = index * count_[d] + bin(point, d);
-    for (int s = start_[index]; s < start_[index + 1]; ++s) {
-        const auto& cell = cells_[entry_[s]];
-        const auto g = simplexGeometry<Dim>(x_, cell);
-        double least = 1;
-        for (int k = 0; k <= Dim; ++k) {
-            // N_k at the point from the opposite node's side: N_k = grad N_k . (point - any node of the face)
-            const double N = g.gradN[k].dot(point - x_[cell[(k + 1) % (Dim + 1)]]);
-            least = std::min(least, N);
-        }
-        if (least >= -1e-12) return entry_[s];
-    }
+    for (int s = start_[index]; s < start_[index + 1]; ++s)
+        if (holds<Dim>(x_, cells_[entry_[s]], point)) return entry_[s];
     return -1;
 }
 

@@ -35,13 +35,35 @@ SimplexGeometry<Dim> simplexGeometry(const Points<Dim>& x, const Simplex<Dim>& s
         g.gradN.fill(Vec<Dim>::Zero());
         return g;
     }
-    const Tensor<Dim> inverse = J.inverse();
-    g.gradN[0].setZero();
-    for (int k = 0; k < Dim; ++k) {
-        g.gradN[k + 1] = inverse.row(k).transpose();
-        g.gradN[0] -= g.gradN[k + 1];
+    if constexpr (Dim == 2) {  // the adjugate: this is the innermost loop of all
+        const double scale = 1 / det;
+        g.gradN[1] = {J(1, 1) * scale, -J(0, 1) * scale};
+        g.gradN[2] = {-J(1, 0) * scale, J(0, 0) * scale};
+    } else {
+        const Tensor<Dim> inverse = J.inverse();
+        for (int k = 0; k < Dim; ++k) g.gradN[k + 1] = inverse.row(k).transpose();
     }
+    g.gradN[0].setZero();
+    for (int k = 0; k < Dim; ++k) g.gradN[0] -= g.gradN[k + 1];
     return g;
+}
+
+/// Does the simplex hold the point, its boundary included (to 1e-12 of each height)? Never when it is inverted.
+template <int Dim>
+bool holds(const Points<Dim>& x, const Simplex<Dim>& s, const Vec<Dim>& point) {
+    if constexpr (Dim == 2) {
+        const Vec<2> a = x[s[0]] - point, b = x[s[1]] - point, c = x[s[2]] - point;
+        const double bc = b[0] * c[1] - b[1] * c[0], ca = c[0] * a[1] - c[1] * a[0], ab = a[0] * b[1] - a[1] * b[0];
+        const double det = bc + ca + ab;
+        return det > 0 && bc >= -1e-12 * det && ca >= -1e-12 * det && ab >= -1e-12 * det;
+    } else {
+        const auto g = simplexGeometry<Dim>(x, s);
+        if (!(g.measure > 0)) return false;
+        for (int k = 0; k <= Dim; ++k)
+            // N_k = grad N_k . (point - any node of the face opposite to k)
+            if (g.gradN[k].dot(point - x[s[(k + 1) % (Dim + 1)]]) < -1e-12) return false;
+        return true;
+    }
 }
 
 /// Centroid.

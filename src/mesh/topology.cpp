@@ -28,6 +28,7 @@ Topology<Dim> makeTopology(const Mesh<Dim>& mesh, const std::vector<PatchKind>& 
     Topology<Dim> t;
     t.fluid = nodeToCells<Dim>(mesh.fluid.nodes, nNodes);
     t.solid = nodeToCells<Dim>(mesh.solid.nodes, nNodes);
+    t.ring = nodeToNodes<Dim>(mesh.fluid.nodes, t.fluid);
     t.onSolid.assign(nNodes, 0);
     t.corner.assign(nNodes, 0);
     t.onWall.assign(nNodes, 0);

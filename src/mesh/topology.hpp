@@ -46,6 +46,7 @@ template <int Dim>
 struct Topology {
     NodeToCells fluid;  // fluid cells around each node
     NodeToCells solid;  // solid cells around each node
+    NodeToNodes ring;   // neighbours in the fluid
     std::vector<FluidFace<Dim>> faces;
     std::vector<WallFace<Dim>> walls;        // faces of all patches in their order, as counted by Nodes::wall
     std::vector<unsigned char> onSolid;      // node of a solid body

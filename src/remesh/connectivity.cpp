@@ -73,13 +73,15 @@ public:
         : controls_(controls),
           t_(triangulation),
           nodes_(nodes),
+          moved_(moved),
           fluid_(moved.x, moved.fluid),
           solid_(moved.x, moved.solid),
           inside_(t_.cells.size(), 0),
           accepted_(t_.cells.size(), 0) {}
 
     Connectivity select() {
-        for (std::size_t e = 0; e < t_.cells.size(); ++e) judge(static_cast<int>(e));
+#pragma omp parallel for schedule(static)
+        for (int e = 0; e < static_cast<int>(t_.cells.size()); ++e) judge(e);
         countCells();
         Connectivity& result = result_;
         result.gained.resize(nodes_.x.size(), 0.0);
@@ -99,7 +101,7 @@ private:
         const auto& s = t_.cells[e];
         if (isFlatOnWall(s)) return;
         const Vec<2> centre = simplexCentroid<2>(nodes_.x, s);
-        inside_[e] = fluid_.contains(centre);
+        inside_[e] = wasFluid(s, centre);
         if (inside_[e]) {
             accepted_[e] = 1;
             return;
@@ -107,6 +109,18 @@ private:
         const bool allHeld = nodes_.held[s[0]] && nodes_.held[s[1]] && nodes_.held[s[2]];
         if (allHeld || isBehindWall(s, centre) || solid_.contains(centre)) return;
         accepted_[e] = isContact(controls_, nodes_, s);
+    }
+
+    /// Does the moved old mesh hold the point? Mostly in a cell of one of the triangle's own nodes.
+    bool wasFluid(const Simplex<2>& s, const Vec<2>& centre) const {
+        const NodeToCells& around = moved_.topology.fluid;
+        for (int node : s) {
+            const int old = nodes_.old[node];
+            if (old < 0) continue;
+            for (int slot = around.start[old]; slot < around.start[old + 1]; ++slot)
+                if (holds<2>(moved_.x, moved_.fluid[around.cell[slot]], centre)) return true;
+        }
+        return fluid_.contains(centre);
     }
 
     /// Three nodes of one wall face are on one line up to round-off: what is between them is no fluid.
@@ -202,6 +216,7 @@ private:
     const RemeshingControls& controls_;
     const Triangulation<2>& t_;
     const CandidateNodes& nodes_;
+    const MovedMesh<2>& moved_;
     Locator<2> fluid_;
     Locator<2> solid_;
     std::vector<unsigned char> inside_;

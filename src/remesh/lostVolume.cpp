@@ -19,8 +19,8 @@ double handOver(const MovedMesh<2>& moved, const std::vector<int>& newIndex,
         if (node >= 0 && !dryPlace) continue;
         const double amount = node < 0 ? moved.lostVolume[i] + moved.dropVolume[i] : lost[node];
         std::vector<int> heirs;
-        for (int s = moved.ring.start[i]; s < moved.ring.start[i + 1]; ++s) {
-            const int heir = newIndex[moved.ring.node[s]];
+        for (int s = moved.topology.ring.start[i]; s < moved.topology.ring.start[i + 1]; ++s) {
+            const int heir = newIndex[moved.topology.ring.node[s]];
             if (heir >= 0 && wet[heir]) heirs.push_back(heir);
         }
         for (int heir : heirs) lost[heir] += amount / static_cast<double>(heirs.size());

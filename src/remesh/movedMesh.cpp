@@ -15,7 +15,6 @@ MovedMesh<Dim> movedMesh(const State<Dim>& state, Topology<Dim> topology) {
     moved.solid = state.mesh.solid.nodes;
     moved.topology = std::move(topology);
     moved.volume = cellVolume<Dim>(moved.x, moved.fluid);
-    moved.ring = nodeToNodes<Dim>(moved.fluid, moved.topology.fluid);
     return moved;
 }
 

@@ -17,7 +17,6 @@ struct MovedMesh {
     std::vector<Simplex<Dim>> fluid;
     std::vector<Simplex<Dim>> solid;
     Topology<Dim> topology;
-    NodeToNodes ring;   // neighbours in the fluid
     double volume = 0;  // of all fluid cells
 };
 

@@ -19,7 +19,7 @@ public:
           moved_(moved),
           h_(h),
           kept_(kept),
-          ring_(moved.ring),
+          ring_(moved.topology.ring),
           locked_(moved.x.size(), 0) {
         plan_.removed.assign(moved.x.size(), 0);
     }

@@ -124,8 +124,10 @@ CandidateNodes candidateNodes(const State<2>& state, const MovedMesh<2>& moved, 
     c.held.assign(n, 0);
     c.wet.assign(n, 1);  // inserted nodes are inside the fluid
     c.inward.assign(n, Vec<2>::Zero());
+    c.old.assign(n, -1);
     for (std::size_t i = 0; i < moved.x.size(); ++i) {
         if (newIndex[i] < 0) continue;
+        c.old[newIndex[i]] = static_cast<int>(i);
         c.held[newIndex[i]] = moved.topology.held(static_cast<int>(i));
         c.wet[newIndex[i]] = moved.topology.wet(static_cast<int>(i));
     }

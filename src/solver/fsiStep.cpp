@@ -134,11 +134,11 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
     Anderson pressureIteration(controls.convergence.accelerationDepth);
     moveNodes<Dim>(newmark, constraints, topology, problem.gravity, old, trial);
     const int waiting = collapses<Dim>(fluid, trial.x) ? 2 : 0;
+    if (waiting == 0) updatePatches<Dim>(fluid, trial.x);
     for (bool converged = false; !converged;) {
         if (report.iterations == controls.convergence.maxIterations)
             throw notConverged<Dim>(report, dp, trial, topology, fluid);
-        // patches, stresses, momentum residual, velocities
-        updatePatches<Dim>(fluid, report.iterations < waiting ? old.x : trial.x);
+        // patches (those of the fluid are there), stresses, momentum residual, velocities
         updatePatches<Dim>(solid, trial.x);
         updatePatches<Dim>(solidGradients, gradientPositions<Dim>(controls.solid, old, trial));
         mass = nodalMass<Dim>(problem, mesh, fluid, massOfSolid);
@@ -154,7 +154,7 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
         for (int i = 0; i < trial.size(); ++i) trial.v[i] += dv[i];
         moveNodes<Dim>(newmark, constraints, topology, problem.gravity, old, trial);
 
-        // patches again: the continuity lives in the updated configuration
+        // patches again: the continuity lives in the updated configuration, and so does the next momentum
         updatePatches<Dim>(fluid, report.iterations + 1 < waiting ? old.x : trial.x);
         const auto R_c = continuityResidual<Dim>(problem, controls.continuity, mesh.fluid, topology, fluid, tau,
                                                  trial, old, dt, divTarget);

@@ -1,10 +1,13 @@
 // Direct solution of symmetric systems.
 
+#include "linear/dissectedLdlt.hpp"
 #include "linear/ldlt.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -71,6 +74,54 @@ TEST(Ldlt, newValuesOnTheSamePattern) {
     factor.factorize(q.A);
     const Eigen::VectorXd b = Eigen::VectorXd::Ones(50);
     EXPECT_LT((2 * q.dense * factor.solve(b) - b).norm(), 1e-12);
+}
+
+TEST(Ldlt, lastUnknownsAreTheSchurComplement) {
+    const int nLast = 7;
+    const auto q = quasiDefinite(30, 20, 8);
+    const int n = q.A.n, nFirst = n - nLast;
+    Ldlt factor;
+    factor.analyze(q.A, nLast);
+    factor.factorize(q.A);
+    const Eigen::MatrixXd Aff = q.dense.topLeftCorner(nFirst, nFirst);
+    const Eigen::MatrixXd Alf = q.dense.bottomLeftCorner(nLast, nFirst);
+    const Eigen::MatrixXd exact = q.dense.bottomRightCorner(nLast, nLast) - Alf * Aff.fullPivLu().solve(Alf.transpose());
+    EXPECT_LT((factor.lastBlock() - exact).norm(), 1e-12 * exact.norm());
+
+    const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(n, -1, 2);
+    Eigen::VectorXd x = b;
+    factor.eliminate(x);
+    x.tail(nLast) = exact.fullPivLu().solve(Eigen::VectorXd(x.tail(nLast)));
+    factor.backSubstitute(x);
+    EXPECT_LT((q.dense * x - b).norm(), 1e-11);
+    EXPECT_LT((q.dense * factor.solve(b) - b).norm(), 1e-11);
+}
+
+TEST(DissectedLdlt, anyPartsGiveTheSolution) {
+    for (const int nParts : {1, 2, 3}) {
+        const auto q = quasiDefinite(30, 20, 9);
+        std::vector<Eigen::Vector2d> place;
+        for (int i = 0; i < 50; ++i) place.push_back({std::cos(i), 2.0 * std::sin(5.0 * i)});
+        const auto part = slabs<2>(place, nParts);
+        for (int p = 0; p < nParts; ++p) EXPECT_NEAR(std::count(part.begin(), part.end(), p), 50.0 / nParts, 1);
+        DissectedLdlt factor;
+        factor.factorize(q.A, part, nParts);
+        const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(50, -1, 2);
+        EXPECT_LT((q.dense * factor.solve(b) - b).norm(), 1e-11) << nParts;
+    }
+}
+
+TEST(DissectedLdlt, apartAndEmptyParts) {
+    auto A = symmetricPattern({{1}, {}, {3}, {}});  // two pairs that do not meet
+    for (int i = 0; i < 4; ++i) A.add(i, i, 2);
+    A.add(0, 1, 1);
+    A.add(2, 3, -1);
+    for (const auto& part : {std::vector<int>{0, 0, 1, 1}, {1, 1, 1, 1}, {0, 1, 0, 1}}) {
+        DissectedLdlt factor;
+        factor.factorize(A, part, 2);
+        const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(4, 1, 4);
+        EXPECT_LT((A.multiply(factor.solve(b)) - b).norm(), 1e-13);
+    }
 }
 
 TEST(Ldlt, singularMatrixFailsTheStep) {

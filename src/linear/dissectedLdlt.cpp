@@ -1,0 +1,225 @@
+#include "linear/dissectedLdlt.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+
+#include "base/error.hpp"
+
+namespace pfem {
+
+namespace {
+
+/// Unknowns that are to lie between the parts: of each entry across, the one in the lower part.
+std::vector<unsigned char> sharedUnknowns(const SymmetricMatrix& A, const std::vector<int>& part) {
+    std::vector<unsigned char> shared(A.n, 0);
+    for (int j = 0; j < A.n; ++j)
+        for (int s = A.start[j]; s < A.start[j + 1]; ++s) {
+            const int i = A.row[s];
+            if (part[i] != part[j]) shared[part[i] < part[j] ? i : j] = 1;
+        }
+    return shared;
+}
+
+/// What stands in for A_ll while a part is factored; subtracted again afterwards. Large enough that the part stays
+/// quasi-definite.
+double standIn(const SymmetricMatrix& A, int unknown) { return 3 * A.value[A.start[unknown]]; }
+
+/// [A_ff A_fl; A_lf D] of one part, D the stand-in; appends to `shared` the places it meets. `place` per unknown:
+/// its index in the part, or -2 - its place among the shared ones, or -1 for those of other parts.
+SymmetricMatrix partMatrix(const SymmetricMatrix& A, const std::vector<int>& interior, const std::vector<int>& place,
+                           const std::vector<int>& sharedUnknown, std::vector<int>& shared) {
+    const int n = static_cast<int>(interior.size());
+    // entries above the diagonal of the part: shared columns with interior rows, stored in the row's column
+    std::vector<std::vector<std::pair<int, double>>> late(n);
+    std::vector<int> last(sharedUnknown.size(), -1);
+    const auto lastIndex = [&](int k) {
+        if (last[k] < 0) {
+            last[k] = n + static_cast<int>(shared.size());
+            shared.push_back(k);
+        }
+        return last[k];
+    };
+    for (std::size_t k = 0; k < sharedUnknown.size(); ++k) {
+        const int j = sharedUnknown[k];
+        for (int s = A.start[j] + 1; s < A.start[j + 1]; ++s)
+            if (place[A.row[s]] >= 0 && interior[place[A.row[s]]] == A.row[s])
+                late[place[A.row[s]]].emplace_back(lastIndex(static_cast<int>(k)), A.value[s]);
+    }
+    SymmetricMatrix M;
+    M.start.push_back(0);
+    for (int f = 0; f < n; ++f) {
+        const int j = interior[f];
+        for (int s = A.start[j]; s < A.start[j + 1]; ++s) {
+            const int at = place[A.row[s]];
+            if (at <= -2) {
+                late[f].emplace_back(lastIndex(-2 - at), A.value[s]);
+            } else {
+                M.row.push_back(at);
+                M.value.push_back(A.value[s]);
+            }
+        }
+        std::sort(late[f].begin(), late[f].end());
+        for (const auto& [row, value] : late[f]) {
+            M.row.push_back(row);
+            M.value.push_back(value);
+        }
+        M.start.push_back(static_cast<int>(M.row.size()));
+    }
+    for (std::size_t k = 0; k < shared.size(); ++k) {
+        M.row.push_back(n + static_cast<int>(k));
+        M.value.push_back(standIn(A, sharedUnknown[shared[k]]));
+        M.start.push_back(static_cast<int>(M.row.size()));
+    }
+    M.n = n + static_cast<int>(shared.size());
+    return M;
+}
+
+/// work(k) for all k at the same time; throws what the first of them has thrown.
+template <class Work>
+void forAll(int n, const Work& work) {
+    std::vector<std::exception_ptr> failed(n);
+#pragma omp parallel for schedule(static, 1)
+    for (int k = 0; k < n; ++k) {
+        try {
+            work(k);
+        } catch (...) {
+            failed[k] = std::current_exception();
+        }
+    }
+    for (const auto& failure : failed)
+        if (failure) std::rethrow_exception(failure);
+}
+
+/// Dense sum of the blocks as a matrix whose pattern is that of the blocks.
+SymmetricMatrix betweenMatrix(const SymmetricMatrix& A, const std::vector<int>& unknown, Eigen::MatrixXd sum,
+                              const std::vector<std::vector<int>>& cliques) {
+    const int n = static_cast<int>(unknown.size());
+    std::vector<int> place(A.n, -1);
+    for (int k = 0; k < n; ++k) place[unknown[k]] = k;
+    std::vector<std::vector<int>> lower(n);
+    for (const auto& clique : cliques)
+        for (int a : clique)
+            for (int b : clique)
+                if (a > b) lower[b].push_back(a);
+    for (int k = 0; k < n; ++k)
+        for (int s = A.start[unknown[k]]; s < A.start[unknown[k] + 1]; ++s) {
+            const int other = place[A.row[s]];
+            if (other < 0) continue;
+            const auto [low, high] = std::minmax(k, other);
+            sum(high, low) += A.value[s];
+            if (low != high) lower[low].push_back(high);
+        }
+    for (auto& rows : lower) {
+        std::sort(rows.begin(), rows.end());
+        rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    }
+    SymmetricMatrix S = symmetricPattern(lower);
+    for (int j = 0; j < n; ++j)
+        for (int s = S.start[j]; s < S.start[j + 1]; ++s) S.value[s] = sum(S.row[s], j);
+    return S;
+}
+
+}  // namespace
+
+void DissectedLdlt::factorize(const SymmetricMatrix& A, const std::vector<int>& part, int nParts) {
+    shared_.clear();
+    parts_.clear();
+    parts_.resize(nParts);
+    const auto isShared = nParts > 1 ? sharedUnknowns(A, part) : std::vector<unsigned char>(A.n, 0);
+    std::vector<int> placeShared(A.n, -1);
+    for (int i = 0; i < A.n; ++i) {
+        if (isShared[i]) {
+            placeShared[i] = -2 - static_cast<int>(shared_.size());
+            shared_.push_back(i);
+        } else {
+            parts_[nParts > 1 ? part[i] : 0].interior.push_back(i);
+        }
+    }
+    std::vector<Eigen::MatrixXd> block(nParts);
+    forAll(nParts, [&](int p) {
+        Part& own = parts_[p];
+        if (own.interior.empty()) return;
+        std::vector<int> place = placeShared;
+        for (std::size_t f = 0; f < own.interior.size(); ++f) place[own.interior[f]] = static_cast<int>(f);
+        const SymmetricMatrix M = partMatrix(A, own.interior, place, shared_, own.shared);
+        own.factor.analyze(M, static_cast<int>(own.shared.size()));
+        own.factor.factorize(M);
+        block[p] = own.factor.lastBlock();
+        for (std::size_t k = 0; k < own.shared.size(); ++k) block[p](k, k) -= standIn(A, shared_[own.shared[k]]);
+    });
+    if (shared_.empty()) return;
+
+    const int n = static_cast<int>(shared_.size());
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(n, n);
+    std::vector<std::vector<int>> cliques;
+    for (int p = 0; p < nParts; ++p) {
+        const auto& own = parts_[p].shared;
+        for (std::size_t a = 0; a < own.size(); ++a)
+            for (std::size_t b = 0; b < own.size(); ++b) sum(own[a], own[b]) += block[p](a, b);
+        cliques.push_back(own);
+    }
+    const SymmetricMatrix S = betweenMatrix(A, shared_, std::move(sum), cliques);
+    between_.analyze(S);
+    between_.factorize(S);
+}
+
+Eigen::VectorXd DissectedLdlt::solve(const Eigen::VectorXd& b) const {
+    const int nParts = static_cast<int>(parts_.size());
+    if (shared_.empty() && nParts == 1) return parts_[0].factor.solve(b);
+    std::vector<Eigen::VectorXd> own(nParts);
+    forAll(nParts, [&](int p) {
+        const Part& part = parts_[p];
+        if (part.interior.empty()) return;
+        own[p] = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(part.interior.size() + part.shared.size()));
+        for (std::size_t f = 0; f < part.interior.size(); ++f) own[p][f] = b[part.interior[f]];
+        part.factor.eliminate(own[p]);
+    });
+    Eigen::VectorXd shared(static_cast<Eigen::Index>(shared_.size()));
+    for (std::size_t k = 0; k < shared_.size(); ++k) shared[k] = b[shared_[k]];
+    for (int p = 0; p < nParts; ++p)
+        for (std::size_t k = 0; k < parts_[p].shared.size(); ++k)
+            shared[parts_[p].shared[k]] += own[p][parts_[p].interior.size() + k];
+    if (!shared_.empty()) shared = between_.solve(shared);
+
+    Eigen::VectorXd x(b.size());
+    for (std::size_t k = 0; k < shared_.size(); ++k) x[shared_[k]] = shared[k];
+    forAll(nParts, [&](int p) {
+        const Part& part = parts_[p];
+        if (part.interior.empty()) return;
+        for (std::size_t k = 0; k < part.shared.size(); ++k)
+            own[p][part.interior.size() + k] = shared[part.shared[k]];
+        part.factor.backSubstitute(own[p]);
+        for (std::size_t f = 0; f < part.interior.size(); ++f) x[part.interior[f]] = own[p][f];
+    });
+    return x;
+}
+
+template <int Dim>
+std::vector<int> slabs(const std::vector<Eigen::Matrix<double, Dim, 1>>& place, int nParts) {
+    std::vector<int> part(place.size(), 0);
+    if (place.empty() || nParts < 2) return part;
+    Eigen::Matrix<double, Dim, 1> low = place[0], high = place[0];
+    for (const auto& x : place) {
+        low = low.cwiseMin(x);
+        high = high.cwiseMax(x);
+    }
+    int axis = 0;
+    (high - low).maxCoeff(&axis);
+    std::vector<double> sorted;
+    for (const auto& x : place) sorted.push_back(x[axis]);
+    std::vector<double> cuts;
+    for (int k = 1; k < nParts; ++k) {
+        const auto nth = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() * k / nParts);
+        std::nth_element(sorted.begin(), nth, sorted.end());
+        cuts.push_back(*nth);
+    }
+    for (std::size_t i = 0; i < place.size(); ++i)
+        part[i] = static_cast<int>(std::upper_bound(cuts.begin(), cuts.end(), place[i][axis]) - cuts.begin());
+    return part;
+}
+
+template std::vector<int> slabs<2>(const std::vector<Eigen::Matrix<double, 2, 1>>&, int);
+template std::vector<int> slabs<3>(const std::vector<Eigen::Matrix<double, 3, 1>>&, int);
+
+}  // namespace pfem

@@ -1,0 +1,36 @@
+#pragma once
+// Direct solution by parts that meet in few unknowns, each with its own processor.
+
+#include <vector>
+
+#include "linear/ldlt.hpp"
+
+namespace pfem {
+
+/// A x = b, where the unknowns that couple two parts form a small system of their own (Schur complement). The parts
+/// are factored and solved at the same time; the bits do not depend on the number of threads.
+class DissectedLdlt {
+public:
+    /// `part`: a number 0 ... nParts-1 for each unknown. Throws StepFailure when a pivot vanishes or is not finite.
+    void factorize(const SymmetricMatrix& A, const std::vector<int>& part, int nParts);
+
+    Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+
+private:
+    struct Part {
+        std::vector<int> interior;  // unknowns of A, in the order of the factor
+        std::vector<int> shared;    // indices into shared_ of the unknowns that follow them
+        Ldlt factor;
+    };
+
+    std::vector<int> shared_;  // unknowns of A between the parts
+    std::vector<Part> parts_;
+    Ldlt between_;
+};
+
+/// Part of each place when all are cut into nParts of about equal number, perpendicular to the longest side of their
+/// box.
+template <int Dim>
+std::vector<int> slabs(const std::vector<Eigen::Matrix<double, Dim, 1>>& place, int nParts);
+
+}  // namespace pfem
