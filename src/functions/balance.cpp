@@ -22,7 +22,11 @@ Points<Dim> supportForces(const Problem<Dim>& problemOfRun, const Controls& cont
     auto mass = fluidMass<Dim>(problem, mesh.fluid, fluid);
     const auto massOfSolid = solidMass<Dim>(problem, mesh.solid, nodes.X);
     for (std::size_t i = 0; i < mass.size(); ++i) mass[i] += massOfSolid[i];
-    const SolidStress<Dim> stress{storedAtPoints<Dim>(solid, nodes.sigma, mesh.solid.sigma), {}};
+    // a hyperelastic stress follows from the positions; the others are what is stored
+    const SolidStress<Dim> stress =
+        controls.solid.stressUpdate == "neoHookean"
+            ? solidStress<Dim>(problem, controls.solid, mesh.solid, gradients, nodes, nodes, 0)
+            : SolidStress<Dim>{storedAtPoints<Dim>(solid, nodes.sigma, mesh.solid.sigma), {}};
     return momentumResidual<Dim>(
         mass, nodes.a, problem.gravity, fluid, fluidStress<Dim>(problem, mesh.fluid, fluid, nodes.v, nodes.p),
         solid, solidElementStress<Dim>(problem, controls.solid, mesh.solid, gradients, solid, stress, nodes),

@@ -71,6 +71,7 @@ double elasticEnergy(const Problem<Dim>& problem, const Controls& controls, cons
     const auto& nodes = state.nodes;
     const auto& cells = state.mesh.solid;
     const bool hyperelastic = controls.solid.stressUpdate == "neoHookean";
+    const bool split = controls.solid.formulation == "velocityPressure";
     const auto around = nodeToCells<Dim>(cells.nodes, nodes.size());
     const auto patches = makePatches<Dim>(cells.nodes, around, hyperelastic ? nodes.X : nodes.x,
                                           controls.integration.scheme());
@@ -84,10 +85,17 @@ double elasticEnergy(const Problem<Dim>& problem, const Controls& controls, cons
         const double trace = s[0] + s[1] + s[2];
         double squares = 0;
         for (int c = 0; c < nStress<Dim>; ++c) squares += (c < 3 ? 1 : 2) * s[c] * s[c];
-        const double density = hyperelastic ? neoHookeanEnergy<Dim>(m, F[p])
-                                            : 0.5 / m.E * ((1 + m.nu) * squares - m.nu * trace * trace);
+        const double density = !hyperelastic ? 0.5 / m.E * ((1 + m.nu) * squares - m.nu * trace * trace)
+                               : split       ? neoHookeanShearEnergy<Dim>(m, F[p])
+                                             : neoHookeanEnergy<Dim>(m, F[p]);
         sum += pointVolume<Dim>(patches, p) * density;
     }
+    if (!hyperelastic || !split) return sum;
+    const auto atNodes = withNodalPoints<Dim>(patches);
+    const auto J = volumeRatio<Dim>(patches, nodes.x);
+    for (int i = 0; i < nodes.size(); ++i)
+        if (isStressPoint<Dim>(atNodes, i))
+            sum += patches.volume[i] * neoHookeanVolumeEnergy(solidMaterial<Dim>(problem, cells, atNodes, i), J[i]);
     return sum;
 }
 

@@ -12,6 +12,17 @@ namespace pfem {
 template <int Dim>
 Stress<Dim> neoHookeanStress(const Hypoelastic& material, const Tensor<Dim>& F);
 
+/// The two parts of sigma: mu (b - I) / J, and - p I with p = - lambda ln J / J. Where volumes are counted at the nodes
+/// (velocityPressure) each has its own J. Both throw StepFailure unless J > 0.
+template <int Dim>
+Stress<Dim> neoHookeanShear(const Hypoelastic& material, const Tensor<Dim>& F);
+double neoHookeanPressure(const Hypoelastic& material, double J);
+
+/// The two parts of W: mu/2 (tr b - 3) - mu ln J, and lambda/2 (ln J)^2.
+template <int Dim>
+double neoHookeanShearEnergy(const Hypoelastic& material, const Tensor<Dim>& F);
+double neoHookeanVolumeEnergy(const Hypoelastic& material, double J);
+
 /// W per reference volume [J/m3]: dW/dF = P.
 template <int Dim>
 double neoHookeanEnergy(const Hypoelastic& material, const Tensor<Dim>& F);

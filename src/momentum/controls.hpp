@@ -69,8 +69,8 @@ struct SolidControls {
     template <class Visitor>
     void entries(Visitor& v) {
         v("formulation", formulation, "-",
-          "velocity; velocityPressure: the pressure is a field of the nodes and only the deviatoric stress is integrated as "
-          "`integration` says (elemental: no locking up to nu -> 0.5; not with neoHookean)",
+          "velocity; velocityPressure: the pressure is a field of the nodes and only the rest of the stress is integrated as "
+          "`integration` says (elemental: no locking up to nu -> 0.5)",
           oneOf({"velocity", "velocityPressure"}));
         v("stressUpdate", stressUpdate, "-",
           "rotatedMidpoint (objective), paper (equation (39) as printed), neoHookean (hyperelastic, from the reference "

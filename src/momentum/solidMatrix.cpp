@@ -29,8 +29,11 @@ struct Moduli {
 };
 
 Moduli elastic(const Hypoelastic& m, double time) { return {time * m.lambda(), time * m.mu()}; }
-Moduli deviatoric(const Hypoelastic& m, double time) { return {-2.0 / 3 * time * m.mu(), time * m.mu()}; }
-Moduli volumetric(const Hypoelastic& m, double time) { return {time * m.kappa(), 0}; }
+
+/// velocityPressure: bulk modulus of what the nodal pressure answers; the rest is integrated at the stress points.
+double pressureModulus(const Hypoelastic& m, const SolidControls& controls) {
+    return controls.stressUpdate == "neoHookean" ? m.lambda() : m.kappa();
+}
 
 /// Add (Omega G)^T C (Omega G) / Omega.
 template <int Dim>
@@ -115,7 +118,9 @@ SymmetricMatrix solidMatrix(const Problem<Dim>& problem, const SolidControls& co
         if (!isStressPoint<Dim>(patches, p)) continue;
         const Hypoelastic& material = solidMaterial<Dim>(problem, cells, patches, p);
         const auto row = pointRow<Dim>(patches, p);
-        addStiffness<Dim>(A, dofs, withPressure ? deviatoric(material, tangent) : elastic(material, tangent), row);
+        Moduli moduli = elastic(material, tangent);
+        if (withPressure) moduli.lambda -= tangent * pressureModulus(material, controls);
+        addStiffness<Dim>(A, dofs, moduli, row);
         const double tau = dampingTime(material, controls.damping, atPoint<Dim>(patches, h, p));
         addStiffness<Dim>(A, dofs, elastic(material, -tau), row);
     }
@@ -127,9 +132,10 @@ SymmetricMatrix solidMatrix(const Problem<Dim>& problem, const SolidControls& co
     if (!withPressure) return A;
     const auto atNodes = withNodalPoints<Dim>(patches);
     for (int i = 0; i < atNodes.nNodes(); ++i)
-        if (isStressPoint<Dim>(atNodes, i))
-            addStiffness<Dim>(A, dofs, volumetric(solidMaterial<Dim>(problem, cells, atNodes, i), tangent),
-                              pointRow<Dim>(atNodes, i));
+        if (isStressPoint<Dim>(atNodes, i)) {
+            const double modulus = pressureModulus(solidMaterial<Dim>(problem, cells, atNodes, i), controls);
+            addStiffness<Dim>(A, dofs, {tangent * modulus, 0}, pointRow<Dim>(atNodes, i));
+        }
     return A;
 }
 

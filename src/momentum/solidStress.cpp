@@ -69,10 +69,13 @@ std::vector<Stress<Dim>> updatedStress(const Problem<Dim>& problem, const SolidC
     using Law = const Hypoelastic&;
     using Old = const Stress<Dim>&;
     using Gradient = const Tensor<Dim>&;
+    const bool split = controls.formulation == "velocityPressure";
     if (controls.stressUpdate == "paper") {
         update(trial.v, [&](Law m, Old s, Gradient L) { return paperUpdate<Dim>(m, s, L, dt); });
     } else if (controls.stressUpdate == "neoHookean") {
-        update(trial.x, [](Law m, Old, Gradient F) { return neoHookeanStress<Dim>(m, F); });
+        update(trial.x, [&](Law m, Old, Gradient F) {
+            return split ? neoHookeanShear<Dim>(m, F) : neoHookeanStress<Dim>(m, F);
+        });
     } else {
         Points<Dim> increment(old.x.size());
         for (std::size_t i = 0; i < increment.size(); ++i)  // x - x^n without its cancellation
@@ -85,11 +88,34 @@ std::vector<Stress<Dim>> updatedStress(const Problem<Dim>& problem, const SolidC
 }  // namespace
 
 template <int Dim>
+std::vector<double> volumeRatio(const Patches<Dim>& reference, const Points<Dim>& x) {
+    const NodeToCells& around = *reference.around;
+    std::vector<double> J(reference.nNodes(), 1.0);
+    for (int i = 0; i < reference.nNodes(); ++i) {
+        if (around.count(i) == 0) continue;
+        double volume = 0;
+        for (int s = around.start[i]; s < around.start[i + 1]; ++s)
+            volume += simplexMeasure<Dim>(x, reference.cell(around.cell[s]));
+        J[i] = volume / ((Dim + 1) * reference.volume[i]);
+    }
+    return J;
+}
+
+template <int Dim>
 SolidStress<Dim> solidStress(const Problem<Dim>& problem, const SolidControls& controls, const Cells<Dim>& cells,
                              const Patches<Dim>& patches, const Nodes<Dim>& old, const Nodes<Dim>& trial, double dt) {
     SolidStress<Dim> stress;
     stress.point = updatedStress<Dim>(problem, controls, cells, patches, old, trial, dt);
     if (controls.formulation == "velocity") return stress;
+    if (controls.stressUpdate == "neoHookean") {
+        stress.pressure = volumeRatio<Dim>(patches, trial.x);
+        const auto nodes = withNodalPoints<Dim>(patches);
+        for (int i = 0; i < nodes.nNodes(); ++i)
+            stress.pressure[i] = isStressPoint<Dim>(nodes, i)
+                                     ? neoHookeanPressure(solidMaterial<Dim>(problem, cells, nodes, i), stress.pressure[i])
+                                     : 0;
+        return stress;
+    }
     const auto atNodes = updatedStress<Dim>(problem, controls, cells, withNodalPoints<Dim>(patches), old, trial, dt);
     for (auto& sigma : stress.point) sigma = deviator<Dim>(sigma);
     for (int i = 0; i < patches.nNodes(); ++i)
@@ -128,6 +154,7 @@ void storeSolidStress(const Patches<Dim>& patches, SolidStress<Dim> stress, std:
 
 #define PFEM_INSTANTIATE(D)                                                                                        \
     template const Hypoelastic& solidMaterial<D>(const Problem<D>&, const Cells<D>&, const Patches<D>&, int);      \
+    template std::vector<double> volumeRatio<D>(const Patches<D>&, const Points<D>&);                              \
     template Points<D> gradientPositions<D>(const SolidControls&, const Nodes<D>&, const Nodes<D>&);               \
     template SolidStress<D> solidStress<D>(const Problem<D>&, const SolidControls&, const Cells<D>&,               \
                                            const Patches<D>&, const Nodes<D>&, const Nodes<D>&, double);           \

@@ -17,17 +17,24 @@ const Hypoelastic& solidMaterial(const Problem<Dim>& problem, const Cells<Dim>& 
 template <int Dim>
 Points<Dim> gradientPositions(const SolidControls& controls, const Nodes<Dim>& old, const Nodes<Dim>& trial);
 
+/// Omega_I(x) / Omega_I of the patches: how much the volume of each node has grown; 1 outside the material. The nodal
+/// volume is the sum of its cells', so a node may have J > 0 beside an inverted cell.
+template <int Dim>
+std::vector<double> volumeRatio(const Patches<Dim>& reference, const Points<Dim>& x);
+
 /// The solid's stress in one iterate.
 template <int Dim>
 struct SolidStress {
-    std::vector<Stress<Dim>> point;  // per stress point: sigma, or the deviator s where there is a pressure
+    std::vector<Stress<Dim>> point;  // per stress point: sigma, or s (see solidStress) where there is a pressure
     std::vector<double> pressure;    // velocityPressure: p per node, zero outside the material; else empty
 };
 
 /// sigma^{n+1} of every stress point from sigma^n (stored in old.sigma or cells.sigma) and the trial motion, evaluated
 /// afresh at every iteration; of points outside the material the stored value. velocityPressure: s of the stress points
 /// and p of the nodes, p = p^n - kappa tr(De_I) with the strain increment of the nodal patch: that is the mass equation
-/// (1/kappa) dp/dt + div v = 0 with lumped test functions, solved for p at each node.
+/// (1/kappa) dp/dt + div v = 0 with lumped test functions, solved for p at each node. s is the
+/// deviator; with neoHookean it is the part of mu, p that of lambda with J = Omega_I/Omega_I0: both are derivatives of the
+/// energy sum_p Omega_p W_mu(F_p) + sum_I Omega_I0 U(Omega_I/Omega_I0).
 ///   patches: at gradientPositions
 template <int Dim>
 SolidStress<Dim> solidStress(const Problem<Dim>& problem, const SolidControls& controls,

@@ -77,8 +77,6 @@ Controls readControls(const Case& theCase, std::ostream* warnings) {
     readPart(dict, "momentum", controls.momentum);
     readPart(dict, "continuity", controls.continuity);
     readPart(dict, "solid", controls.solid);
-    if (controls.solid.formulation == "velocityPressure" && controls.solid.stressUpdate == "neoHookean")
-        dict.subDict("solid").fatal("formulation", "velocityPressure is not for the stressUpdate neoHookean");
     readPart(dict, "remeshing", controls.remeshing);
     const auto& r = controls.remeshing;
     if (r.insertDistance < 2 * std::max(r.removeDistance, r.removeDistanceSurface))

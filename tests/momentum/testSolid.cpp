@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "material/neoHookean.hpp"
+#include "functions/storedEnergy.hpp"
 #include "momentum/mass.hpp"
 #include "momentum/solidMatrix.hpp"
 #include "momentum/solidStress.hpp"
@@ -108,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(updates, SolidTangent,
                                           testing::Values(Integration::nodal, Integration::elemental),
                                           testing::Values("velocity")));
 INSTANTIATE_TEST_SUITE_P(velocityPressure, SolidTangent,
-                         testing::Combine(testing::Values("rotatedMidpoint", "paper"), testing::Values(0.0, 0.1),
+                         testing::Combine(testing::Values("rotatedMidpoint", "paper", "neoHookean"), testing::Values(0.0, 0.1),
                                           testing::Values(0.5), testing::Values(Integration::nodal, Integration::elemental),
                                           testing::Values("velocityPressure")));
 
@@ -215,41 +215,41 @@ TEST(VelocityPressure, nodalIsTheNodalMethod) {
     EXPECT_GT(difference(force(mixed, Integration::elemental), elemental), 0.1);
 }
 
-// neoHookean: with both integrations the force is the derivative of sum_p Omega_p W(F_p), at large strain too.
+// neoHookean: the force is the derivative of the energy function, at large strain too: sum_p Omega_p W(F_p), and with a
+// nodal pressure sum_p Omega_p W_mu(F_p) + sum_I Omega_I0 U(Omega_I/Omega_I0).
 TEST(NeoHookean, forceIsTheDerivativeOfTheEnergy) {
-    for (const Integration scheme : {Integration::nodal, Integration::elemental}) {
-        Solid s;
-        s.scheme = scheme;
-        SolidControls controls;
-        controls.stressUpdate = "neoHookean";
-        controls.damping = 0;
-        const Nodes<2>& old = s.c.state.nodes;
-        const auto reference = s.patches(old.X);
-        const auto energy = [&](const Points<2>& x) {
-            const auto F = toPoints<2>(reference, elementGradient<2>(reference, x));
-            double sum = 0;
-            for (int p = 0; p < nStressPoints<2>(reference); ++p)
-                if (isStressPoint<2>(reference, p))
-                    sum += pointVolume<2>(reference, p) *
-                           neoHookeanEnergy<2>(solidMaterial<2>(s.c.problem, s.cells, reference, p), F[p]);
-            return sum;
-        };
-        Nodes<2> t = old;
-        const auto shift = randomVectors(s.n, 3), w = randomVectors(s.n, 9);
-        Tensor<2> F;
-        F << 1.2, -0.6, 0.5, 1.1;
-        for (int i = 0; i < s.n; ++i) t.x[i] = F * old.X[i] + 0.012 * shift[i];
-        const auto f = s.force(controls, old, s.stressOf(controls, old, t, 1e-3));
-        const double eps = 1e-6;
-        Points<2> plus = t.x, minus = t.x;
-        for (int i = 0; i < s.n; ++i) {
-            plus[i] += eps * w[i];
-            minus[i] -= eps * w[i];
+    for (const char* formulation : {"velocity", "velocityPressure"})
+        for (const char* integration : {"nodal", "elemental"}) {
+            Solid s;
+            Controls all;
+            all.integration.integration = integration;
+            SolidControls& controls = all.solid;
+            s.scheme = all.integration.scheme();
+            controls.stressUpdate = "neoHookean";
+            controls.formulation = formulation;
+            controls.damping = 0;
+            const Nodes<2>& old = s.c.state.nodes;
+            const auto energy = [&](const Points<2>& x) {
+                State<2> state = s.c.state;
+                state.nodes.x = x;
+                return elasticEnergy<2>(s.c.problem, all, state);
+            };
+            Nodes<2> t = old;
+            const auto shift = randomVectors(s.n, 3), w = randomVectors(s.n, 9);
+            Tensor<2> F;
+            F << 1.2, -0.6, 0.5, 1.1;
+            for (int i = 0; i < s.n; ++i) t.x[i] = F * old.X[i] + 0.012 * shift[i];
+            const auto f = s.force(controls, old, s.stressOf(controls, old, t, 1e-3));
+            const double eps = 1e-6;
+            Points<2> plus = t.x, minus = t.x;
+            for (int i = 0; i < s.n; ++i) {
+                plus[i] += eps * w[i];
+                minus[i] -= eps * w[i];
+            }
+            const double slope = (energy(plus) - energy(minus)) / (2 * eps);
+            EXPECT_GT(std::abs(slope), 1e3);
+            EXPECT_NEAR(dot(f, w), slope, 1e-6 * std::abs(slope));
         }
-        const double slope = (energy(plus) - energy(minus)) / (2 * eps);
-        EXPECT_GT(std::abs(slope), 1e3);
-        EXPECT_NEAR(dot(f, w), slope, 1e-6 * std::abs(slope));
-    }
 }
 
 TEST(SolidMass, isThatOfTheReferencePositions) {
