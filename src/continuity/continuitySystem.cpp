@@ -120,7 +120,7 @@ void addCells(SymmetricMatrix& A, const Problem<Dim>& problem, const ContinuityC
             column.begin(i, topology.ring);
             for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
                 const int e = around.cell[s], k = around.corner[s];
-                const Newtonian& fluid = problem.fluid(cells.material[e]);
+                const ViscousFluid& fluid = problem.fluid(cells.material[e]);
                 const auto& g = patches.element[e];
                 const double laplacian = tau[e] + controls.schurScale / (fluid.rho * newmark.massFactor());
                 const double share = g.measure / (Dim + 1);

@@ -33,7 +33,7 @@ CellTerms<Dim> cellTerms(const Problem<Dim>& problem, const Cells<Dim>& cells, c
             gradP += trial.p[node] * g.gradN[k];
             a += (inertia ? Vec<Dim>((trial.v[node] - old.v[node]) / dt) : trial.a[node]) / (Dim + 1);
         }
-        const Newtonian& fluid = problem.fluid(cells.material[e]);
+        const ViscousFluid& fluid = problem.fluid(cells.material[e]);
         const double share = g.measure / (Dim + 1);
         t.rate[e] = share * (div - divTarget);
         t.compressibility[e] = share / fluid.kappa;
@@ -57,8 +57,8 @@ double meanOverCells(const Patches<Dim>& patches, const std::vector<double>& val
 template <int Dim>
 std::vector<double> continuityResidual(const Problem<Dim>& problem, const ContinuityControls& controls,
                                        const Cells<Dim>& cells, const Topology<Dim>& topology,
-                                       const Patches<Dim>& patches, const std::vector<double>& tau,
-                                       const Nodes<Dim>& trial, const Nodes<Dim>& old, double dt,
+                                       const Patches<Dim>& patches, const std::vector<double>& mu,
+                                       const std::vector<double>& tau, const Nodes<Dim>& trial, const Nodes<Dim>& old, double dt,
                                        double divTarget) {
     const bool inertia = controls.stabilisation == "inertia";
     const double tauFaces = inertia ? 0 : meanOverCells<Dim>(patches, tau);
@@ -82,7 +82,7 @@ std::vector<double> continuityResidual(const Problem<Dim>& problem, const Contin
     for (const auto& face : topology.faces) {
         const bool free = face.kind == FaceKind::freeSurface;
         if (!free && (inertia || !controls.interfaceAcceleration)) continue;
-        const Newtonian& fluid = problem.fluid(cells.material[face.cell]);
+        const ViscousFluid& fluid = problem.fluid(cells.material[face.cell]);
         const auto& g = patches.element[face.cell];
         const Vec<Dim> area = faceArea<Dim>(trial.x, face.nodes);
         const double measure = area.norm();
@@ -97,7 +97,7 @@ std::vector<double> continuityResidual(const Problem<Dim>& problem, const Contin
         const double twoOverH = 2 * measure / (Dim * g.measure);
         Vec<Dim> dn = Vec<Dim>::Zero();  // L n of the cell
         for (int k = 0; k <= Dim; ++k) dn += trial.v[cells.nodes[face.cell][k]] * g.gradN[k].dot(n);
-        const double viscous = 2 * fluid.mu * dn.dot(n);
+        const double viscous = 2 * mu[face.cell] * dn.dot(n);
         for (int node : face.nodes) R[node] += weight * twoOverH * (trial.p[node] - viscous);
     }
     return R;

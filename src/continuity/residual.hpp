@@ -12,15 +12,15 @@ namespace pfem {
 ///   free-surface faces: M_G = (2/h_n) |face|/d,  f -= |face|/d (rho a_n - (2/h_n) 2 mu d_n)
 ///   interface faces:                             f -= |face|/d rho a_n
 /// with h_n the cell's height over the face and n its outward normal. Wet nodes; zero elsewhere.
-/// With `inertia` the volume term carries the full residual, f: rho (g - (v - v^n)/dt), and the faces no acceleration.
+/// mu: viscosity of each cell. With `inertia` the volume term carries the full residual, f: rho (g - (v - v^n)/dt), and the faces no acceleration.
 /// With `bodyForce` the face terms stand for the inertia of the whole field only where tau is uniform; they take its
 /// mean tau_0, and cells carry the difference themselves, (tau - tau_0) |e| grad N_I . rho a. So every uniformly
 /// accelerated state, free fall among them, satisfies the equation exactly whatever the tau of the cells.
 template <int Dim>
 std::vector<double> continuityResidual(const Problem<Dim>& problem, const ContinuityControls& controls,
                                        const Cells<Dim>& cells, const Topology<Dim>& topology,
-                                       const Patches<Dim>& patches, const std::vector<double>& tau,
-                                       const Nodes<Dim>& trial, const Nodes<Dim>& old, double dt,
+                                       const Patches<Dim>& patches, const std::vector<double>& mu,
+                                       const std::vector<double>& tau, const Nodes<Dim>& trial, const Nodes<Dim>& old, double dt,
                                        double divTarget);
 
 }  // namespace pfem

@@ -6,20 +6,21 @@ namespace pfem {
 
 template <int Dim>
 std::vector<double> stabilisation(const Problem<Dim>& problem, const Cells<Dim>& cells,
-                                  const Patches<Dim>& patches, const Points<Dim>& v, double dt) {
+                                  const Patches<Dim>& patches, const std::vector<double>& mu, const Points<Dim>& v,
+                                  double dt) {
     std::vector<double> tau(cells.size());
 #pragma omp parallel for schedule(static)
     for (int e = 0; e < cells.size(); ++e) {
-        const Newtonian& fluid = problem.fluid(cells.material[e]);
+        const ViscousFluid& fluid = problem.fluid(cells.material[e]);
         const double h = std::pow((Dim == 2 ? 2.0 : 6.0) * patches.element[e].measure, 1.0 / Dim);
         Vec<Dim> mean = Vec<Dim>::Zero();
         for (int node : cells.nodes[e]) mean += v[node] / (Dim + 1);
-        tau[e] = 1 / (8 * fluid.mu / (h * h) + fluid.rho / dt + fluid.rho * mean.norm() / h);
+        tau[e] = 1 / (8 * mu[e] / (h * h) + fluid.rho / dt + fluid.rho * mean.norm() / h);
     }
     return tau;
 }
 
 template std::vector<double> stabilisation<2>(const Problem<2>&, const Cells<2>&, const Patches<2>&,
-                                              const Points<2>&, double);
+                                              const std::vector<double>&, const Points<2>&, double);
 
 }  // namespace pfem

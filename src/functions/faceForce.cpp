@@ -1,5 +1,6 @@
 #include "functions/faceForce.hpp"
 
+#include "material/viscosity.hpp"
 #include "mesh/simplex.hpp"
 
 namespace pfem {
@@ -13,8 +14,8 @@ Tensor<Dim> viscousStressOfCell(const Problem<Dim>& problem, const State<Dim>& s
     const auto geometry = simplexGeometry<Dim>(state.nodes.x, simplex);
     Tensor<Dim> L = Tensor<Dim>::Zero();
     for (int k = 0; k <= Dim; ++k) L += state.nodes.v[simplex[k]] * geometry.gradN[k].transpose();
-    const double mu = problem.fluid(state.mesh.fluid.material[cell]).mu;
-    return mu * (L + L.transpose()) - (2 * mu / 3) * L.trace() * Tensor<Dim>::Identity();
+    const auto& fluid = problem.fluid(state.mesh.fluid.material[cell]);
+    return viscousStress<Dim>(viscosity(fluid, shearRate<Dim>(L)), L);
 }
 
 /// int N_i N_j dA / |face|

@@ -17,11 +17,25 @@ double positiveNumber(const Dictionary& dict, const std::string& key, const std:
     return value;
 }
 
-Newtonian readNewtonian(const Dictionary& dict) {
-    Newtonian m;
+double nonNegativeNumber(const Dictionary& dict, const std::string& key, const std::array<double, 7>& dimensions) {
+    const double value = dict.dimensioned(key, dimensions);
+    if (value < 0) dict.fatal(key, "Entry '" + key + "' must not be negative");
+    return value;
+}
+
+ViscousFluid readFluid(const Dictionary& dict, const std::string& type) {
+    ViscousFluid m;
     m.rho = positiveNumber(dict, "rho", density);
-    m.mu = dict.dimensioned("mu", viscosity);
-    if (m.mu < 0) dict.fatal("mu", "Entry 'mu' must not be negative");
+    if (type == "herschelBulkley") {
+        m.exponent = positiveNumber(dict, "n", none);
+        m.mu = positiveNumber(dict, "k", {1, -1, m.exponent - 2, 0, 0, 0, 0});
+    } else {
+        m.mu = nonNegativeNumber(dict, "mu", viscosity);
+    }
+    if (type != "newtonian") {
+        m.yieldStress = nonNegativeNumber(dict, "tau0", pressure);
+        if (dict.found("m")) m.regularisation = positiveNumber(dict, "m", {0, 0, 1, 0, 0, 0, 0});
+    }
     m.kappa = dict.found("kappa") ? positiveNumber(dict, "kappa", pressure) : m.kappa;
     return m;
 }
@@ -45,10 +59,10 @@ std::vector<Material> readMaterials(const Dictionary& dict) {
         const Dictionary& entry = dict.subDict(key);
         Material m;
         m.name = key;
-        const std::string type = entry.choice("type", {"newtonian", "hypoelastic"});
-        if (type == "newtonian") {
+        const std::string type = entry.choice("type", {"newtonian", "bingham", "herschelBulkley", "hypoelastic"});
+        if (type != "hypoelastic") {
             m.kind = MaterialKind::fluid;
-            m.fluid = readNewtonian(entry);
+            m.fluid = readFluid(entry, type);
         } else {
             m.kind = MaterialKind::solid;
             m.solid = readHypoelastic(entry);

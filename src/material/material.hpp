@@ -8,11 +8,16 @@
 
 namespace pfem {
 
-/// Newtonian fluid: s = 2 mu (d - tr(d)/3 I), dp/dt = -kappa div v.
-struct Newtonian {
+/// Fluid: s = 2 mu (d - tr(d)/3 I), dp/dt = -kappa div v; mu may depend on the shear rate, see material/viscosity.hpp.
+struct ViscousFluid {
     double rho = 1000;    // density [kg/m3]
-    double mu = 1e-3;     // dynamic viscosity [Pa s]
+    double mu = 1e-3;     // dynamic viscosity [Pa s]; with yield stress or exponent the consistency [Pa s^n]
     double kappa = 2.1e9;  // bulk modulus [Pa]
+    double yieldStress = 0;        // [Pa]
+    double exponent = 1;           // n [-]
+    double regularisation = 1000;  // m [s]
+
+    bool isNewtonian() const { return yieldStress == 0 && exponent == 1; }
 };
 
 /// Hypoelastic solid: sigma = C : D integrated along the path, isotropic C.
@@ -32,7 +37,7 @@ enum class MaterialKind { fluid, solid };
 struct Material {
     std::string name;
     MaterialKind kind = MaterialKind::fluid;
-    Newtonian fluid;
+    ViscousFluid fluid;
     Hypoelastic solid;
 };
 

@@ -1,49 +1,60 @@
 #include "momentum/fluidStress.hpp"
 
+#include <algorithm>
+
+#include "material/viscosity.hpp"
+
 namespace pfem {
 
-namespace {
-
 template <int Dim>
-Tensor<Dim> viscousStress(double mu, const Tensor<Dim>& L) {
-    return mu * (L + L.transpose()) - (2 * mu / 3) * L.trace() * Tensor<Dim>::Identity();
+bool isNewtonian(const Problem<Dim>& problem) {
+    return std::all_of(problem.materials.begin(), problem.materials.end(), [](const Material& m) {
+        return m.kind != MaterialKind::fluid || m.fluid.isNewtonian();
+    });
 }
 
-}  // namespace
-
 template <int Dim>
-std::vector<Tensor<Dim>> fluidTangentStress(const Problem<Dim>& problem, const Cells<Dim>& cells,
-                                            const Patches<Dim>& patches, const Points<Dim>& dv,
-                                            const std::vector<double>& bulk) {
-    // the viscosity is linear, so the mean of the points' stresses is the stress of the mean gradient of each cell
-    auto L = toPoints<Dim>(patches, elementGradient<Dim>(patches, dv));
-    std::vector<double> volumetric(bulk.size());
-    for (std::size_t p = 0; p < bulk.size(); ++p) volumetric[p] = bulk[p] * L[p].trace();
-    if (!bulk.empty()) volumetric = fromPoints<Dim>(patches, std::move(volumetric));
-    auto stress = fromPoints<Dim>(patches, std::move(L));
+std::vector<double> pointViscosity(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
+                                   const Points<Dim>& v) {
+    std::vector<double> mu(nStressPoints<Dim>(patches), 0.0);
+    std::vector<Tensor<Dim>> L;  // which a constant viscosity does not ask for
+    if (!isNewtonian<Dim>(problem)) L = toPoints<Dim>(patches, elementGradient<Dim>(patches, v));
 #pragma omp parallel for schedule(static)
-    for (int e = 0; e < patches.nCells(); ++e) {
-        stress[e] = viscousStress<Dim>(problem.fluid(cells.material[e]).mu, stress[e]);
-        if (!volumetric.empty()) stress[e] += volumetric[e] * Tensor<Dim>::Identity();
+    for (int p = 0; p < nStressPoints<Dim>(patches); ++p) {
+        if (!isStressPoint<Dim>(patches, p)) continue;
+        const ViscousFluid& fluid = problem.fluid(cells.material[cellOfPoint<Dim>(patches, p)]);
+        mu[p] = viscosity(fluid, L.empty() ? 0 : shearRate<Dim>(L[p]));
     }
-    return stress;
+    return mu;
 }
 
 template <int Dim>
-std::vector<Tensor<Dim>> fluidStress(const Problem<Dim>& problem, const Cells<Dim>& cells,
-                                     const Patches<Dim>& patches, const Points<Dim>& v,
+std::vector<Tensor<Dim>> fluidTangentStress(const Patches<Dim>& patches, const std::vector<double>& mu,
+                                            const Points<Dim>& dv, const std::vector<double>& bulk) {
+    auto stress = toPoints<Dim>(patches, elementGradient<Dim>(patches, dv));
+#pragma omp parallel for schedule(static)
+    for (int p = 0; p < nStressPoints<Dim>(patches); ++p) {
+        const double div = stress[p].trace();
+        stress[p] = viscousStress<Dim>(mu[p], stress[p]);
+        if (!bulk.empty()) stress[p] += bulk[p] * div * Tensor<Dim>::Identity();
+    }
+    return fromPoints<Dim>(patches, std::move(stress));
+}
+
+template <int Dim>
+std::vector<Tensor<Dim>> fluidStress(const Patches<Dim>& patches, const std::vector<double>& mu, const Points<Dim>& v,
                                      const std::vector<double>& p) {
-    auto stress = fluidTangentStress<Dim>(problem, cells, patches, v, {});
+    auto stress = fluidTangentStress<Dim>(patches, mu, v, {});
 #pragma omp parallel for schedule(static)
-    for (int e = 0; e < patches.nCells(); ++e) {
-        stress[e] -= cellMean<Dim>(patches, p, e) * Tensor<Dim>::Identity();
-    }
+    for (int e = 0; e < patches.nCells(); ++e) stress[e] -= cellMean<Dim>(patches, p, e) * Tensor<Dim>::Identity();
     return stress;
 }
 
-template std::vector<Tensor<2>> fluidStress<2>(const Problem<2>&, const Cells<2>&, const Patches<2>&,
-                                               const Points<2>&, const std::vector<double>&);
-template std::vector<Tensor<2>> fluidTangentStress<2>(const Problem<2>&, const Cells<2>&, const Patches<2>&,
-                                                      const Points<2>&, const std::vector<double>&);
+template bool isNewtonian<2>(const Problem<2>&);
+template std::vector<double> pointViscosity<2>(const Problem<2>&, const Cells<2>&, const Patches<2>&, const Points<2>&);
+template std::vector<Tensor<2>> fluidStress<2>(const Patches<2>&, const std::vector<double>&, const Points<2>&,
+                                               const std::vector<double>&);
+template std::vector<Tensor<2>> fluidTangentStress<2>(const Patches<2>&, const std::vector<double>&, const Points<2>&,
+                                                      const std::vector<double>&);
 
 }  // namespace pfem

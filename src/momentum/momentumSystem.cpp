@@ -34,16 +34,20 @@ std::vector<double> localBulk(const Problem<Dim>& problem, const Cells<Dim>& cel
     return bulk;
 }
 
-/// Largest ratio of the viscous matrix's diagonal, at most sum_e 2 mu |e| |grad N_I|^2, to that of the mass.
+/// About the diagonal of the viscous matrix: at most sum_e 2 mu |e| |grad N_I|^2.
 template <int Dim>
-double viscousNumber(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& fluid,
-                     const std::vector<double>& massDiagonal) {
-    std::vector<double> viscous(massDiagonal.size(), 0.0);
+std::vector<double> viscousDiagonal(const Patches<Dim>& fluid, const std::vector<double>& mu) {
+    std::vector<double> diagonal(fluid.nNodes(), 0.0);
+    const auto cellMu = fromPoints<Dim>(fluid, mu);
     for (int e = 0; e < fluid.nCells(); ++e) {
         const auto& g = fluid.element[e];
-        const double mu = problem.fluid(cells.material[e]).mu;
-        for (int k = 0; k <= Dim; ++k) viscous[fluid.cell(e)[k]] += 2 * mu * g.measure * g.gradN[k].squaredNorm();
+        for (int k = 0; k <= Dim; ++k) diagonal[fluid.cell(e)[k]] += 2 * cellMu[e] * g.measure * g.gradN[k].squaredNorm();
     }
+    return diagonal;
+}
+
+/// Largest ratio of the viscous matrix's diagonal to that of the mass.
+double viscousNumber(const std::vector<double>& viscous, const std::vector<double>& massDiagonal) {
     double largest = 0;
     for (std::size_t i = 0; i < viscous.size(); ++i)
         if (massDiagonal[i] > 0) largest = std::max(largest, viscous[i] / massDiagonal[i]);
@@ -67,11 +71,9 @@ template <int Dim>
 MomentumSystem<Dim>::MomentumSystem(const Problem<Dim>& problem, const MomentumControls& momentum,
                                     const Mesh<Dim>& mesh, const Topology<Dim>& topology,
                                     const NodeConstraints<Dim>& constraints, const Patches<Dim>& fluid,
-                                    const std::vector<double>& mass, SolidDofs<Dim> dofs, SymmetricMatrix solid,
-                                    const Newmark& newmark)
-    : problem_(problem),
-      controls_(momentum),
-      mesh_(mesh),
+                                    std::vector<double> mu, const std::vector<double>& mass, SolidDofs<Dim> dofs,
+                                    SymmetricMatrix solid, const Newmark& newmark)
+    : controls_(momentum),
       constraints_(constraints),
       fluid_(fluid),
       dofs_(std::move(dofs)),
@@ -88,13 +90,19 @@ MomentumSystem<Dim>::MomentumSystem(const Problem<Dim>& problem, const MomentumC
         moving_[i] = topology.wet(i) && !topology.onSolid[i] && moves;
     }
     setMass(mass);
-    viscous_ = viscousNumber<Dim>(problem, mesh.fluid, fluid, diagonal_) > controls_.viscousLimit;
+    setViscosity(std::move(mu));
     if (controls_.theta > 0) {
-        viscous_ = true;
         bulk_ = controls_.bulkRule == "local" ? localBulk<Dim>(problem, mesh.fluid, fluid, newmark.dt)
                                               : meanBulk<Dim>(fluid, mass, newmark.massFactor());
         for (double& value : bulk_) value *= controls_.theta;
     }
+}
+
+template <int Dim>
+void MomentumSystem<Dim>::setViscosity(std::vector<double> mu) {
+    mu_ = std::move(mu);
+    viscousDiagonal_ = viscousDiagonal<Dim>(fluid_, mu_);
+    viscous_ = controls_.theta > 0 || viscousNumber(viscousDiagonal_, diagonal_) > controls_.viscousLimit;
 }
 
 template <int Dim>
@@ -133,7 +141,7 @@ Points<Dim> MomentumSystem<Dim>::apply(const Points<Dim>& u) const {
     Points<Dim> y(u.size(), Vec<Dim>::Zero());
     for (std::size_t i = 0; i < u.size(); ++i) y[i] = diagonal_[i] * u[i];
     if (viscous_)
-        addInternalForce<Dim>(fluid_, fluidTangentStress<Dim>(problem_, mesh_.fluid, fluid_, u, bulk_), y);
+        addInternalForce<Dim>(fluid_, fluidTangentStress<Dim>(fluid_, mu_, u, bulk_), y);
     if (dofs_.n > 0) scatter(solid_.multiply(gather(u)), y);
     return restricted(y);
 }
@@ -143,7 +151,8 @@ Points<Dim> MomentumSystem<Dim>::precondition(const Points<Dim>& r) const {
     Points<Dim> z(r.size(), Vec<Dim>::Zero());
     // projected again: the round-off of a large wall reaction must not become a direction
     for (std::size_t i = 0; i < r.size(); ++i)
-        if (diagonal_[i] > 0) z[i] = constraints_.project(static_cast<int>(i), r[i]) / diagonal_[i];
+        if (diagonal_[i] > 0)
+            z[i] = constraints_.project(static_cast<int>(i), r[i]) / (diagonal_[i] + (viscous_ ? viscousDiagonal_[i] : 0));
     if (dofs_.n > 0) scatter(factor_.solve(gather(r)), z);
     return z;
 }

@@ -8,18 +8,22 @@ namespace pfem {
 
 /// Conjugate gradients on the whole system. The fluid's operator is applied (G, then C, then G^T), never
 /// assembled; the solid's matrix is factorised once per step. Preconditioner: the solid block's factor and the
-/// fluid's lumped mass.
+/// fluid's diagonal.
 template <int Dim>
 class MomentumSystem {
 public:
-    /// The references must outlive the system. `fluid`: patches whose current geometry is used by solve.
+    /// The references must outlive the system. `fluid`: patches whose current geometry is used by solve;
+    /// `mu`: viscosity of their stress points.
     MomentumSystem(const Problem<Dim>& problem, const MomentumControls& momentum, const Mesh<Dim>& mesh,
                    const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,
-                   const Patches<Dim>& fluid, const std::vector<double>& mass, SolidDofs<Dim> dofs,
-                   SymmetricMatrix solid, const Newmark& newmark);
+                   const Patches<Dim>& fluid, std::vector<double> mu, const std::vector<double>& mass,
+                   SolidDofs<Dim> dofs, SymmetricMatrix solid, const Newmark& newmark);
 
     /// Lumped mass of the fluid's nodes in the current configuration (the solid's factor stays).
     void setMass(const std::vector<double>& mass);
+
+    /// Viscosity of the fluid's stress points.
+    void setViscosity(std::vector<double> mu);
 
     /// dv of all nodes for the right-hand side -R; zero where a velocity is prescribed and on isolated nodes.
     Points<Dim> solve(const Points<Dim>& residual);
@@ -35,9 +39,7 @@ private:
     Eigen::VectorXd gather(const Points<Dim>& r) const;
     void scatter(const Eigen::VectorXd& u, Points<Dim>& r) const;
 
-    const Problem<Dim>& problem_;
     MomentumControls controls_;
-    const Mesh<Dim>& mesh_;
     const NodeConstraints<Dim>& constraints_;
     const Patches<Dim>& fluid_;
     SolidDofs<Dim> dofs_;
@@ -45,6 +47,8 @@ private:
     Ldlt factor_;
     std::vector<unsigned char> moving_;   // fluid nodes with unknowns, solids left out
     std::vector<double> diagonal_;        // massFactor * m of moving fluid nodes, 0 elsewhere
+    std::vector<double> mu_;              // per stress point of the fluid [Pa s]
+    std::vector<double> viscousDiagonal_; // about that of the viscous matrix, where it is applied
     double massFactor_;
     std::vector<double> bulk_;            // theta times bulkRule's value per stress point [Pa s], empty without
     bool viscous_ = false;

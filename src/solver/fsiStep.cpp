@@ -120,9 +120,11 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
     auto mass = nodalMass<Dim>(problem, mesh, fluid, massOfSolid);
     auto dofs = solidDofs<Dim>(topology.solid, constraints);
     auto solidA = solidMatrix<Dim>(problem, controls.solid, mesh.solid, solid, dofs, mass, old.h, newmark);
-    MomentumSystem<Dim> momentum(problem, controls.momentum, mesh, topology, constraints, fluid, mass,
+    auto mu = pointViscosity<Dim>(problem, mesh.fluid, fluid, old.v);
+    MomentumSystem<Dim> momentum(problem, controls.momentum, mesh, topology, constraints, fluid, mu, mass,
                                  std::move(dofs), std::move(solidA), newmark);
-    const auto tau = stabilisation<Dim>(problem, mesh.fluid, fluid, old.v, dt);
+    auto cellMu = fromPoints<Dim>(fluid, mu);
+    const auto tau = stabilisation<Dim>(problem, mesh.fluid, fluid, cellMu, old.v, dt);
     ContinuitySystem<Dim> continuity(problem, controls.continuity, mesh.fluid, topology, constraints, fluid, tau,
                                            old.x, momentum.solidDofs(), momentum.solidMatrix(), newmark);
 
@@ -143,9 +145,14 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
         updatePatches<Dim>(solidGradients, gradientPositions<Dim>(controls.solid, old, trial));
         mass = nodalMass<Dim>(problem, mesh, fluid, massOfSolid);
         stressOfSolid = solidStress<Dim>(problem, controls.solid, mesh.solid, solidGradients, old, trial, dt);
+        if (!isNewtonian<Dim>(problem)) {
+            mu = pointViscosity<Dim>(problem, mesh.fluid, fluid, trial.v);
+            cellMu = fromPoints<Dim>(fluid, mu);
+            momentum.setViscosity(mu);
+        }
         const auto R_m = momentumResidual<Dim>(
             mass, trial.a, problem.gravity, fluid,
-            fluidStress<Dim>(problem, mesh.fluid, fluid, trial.v, trial.p), solid,
+            fluidStress<Dim>(fluid, mu, trial.v, trial.p), solid,
             solidElementStress<Dim>(problem, controls.solid, mesh.solid, solidGradients, solid, stressOfSolid,
                                     trial),
             tractionForce<Dim>(mesh, problem.conditions, trial.x));
@@ -156,7 +163,7 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
 
         // patches again: the continuity lives in the updated configuration, and so does the next momentum
         updatePatches<Dim>(fluid, report.iterations + 1 < waiting ? old.x : trial.x);
-        const auto R_c = continuityResidual<Dim>(problem, controls.continuity, mesh.fluid, topology, fluid, tau,
+        const auto R_c = continuityResidual<Dim>(problem, controls.continuity, mesh.fluid, topology, fluid, cellMu, tau,
                                                  trial, old, dt, divTarget);
         if (report.iterations > 0 && report.iterations % controls.convergence.refactorEvery == 0) {
             pressureIteration.restart();

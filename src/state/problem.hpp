@@ -14,7 +14,7 @@ struct Problem {
     Function1Ptr<Eigen::Vector3d> gravityOverTime;  // null: it stays as it is
     BoundaryConditions<Dim> conditions;
 
-    const Newtonian& fluid(int material) const { return materials[material].fluid; }
+    const ViscousFluid& fluid(int material) const { return materials[material].fluid; }
     const Hypoelastic& solid(int material) const { return materials[material].solid; }
 };
 

@@ -23,7 +23,8 @@ struct Coupled {
     Newmark newmark{2e-3};
     Patches<2> fluid = makePatches<2>(c.state.mesh.fluid.nodes, topology.fluid, x);
     Patches<2> solid = makePatches<2>(c.state.mesh.solid.nodes, topology.solid, x);
-    std::vector<double> tau = stabilisation<2>(c.problem, c.state.mesh.fluid, fluid, c.state.nodes.v, newmark.dt);
+    std::vector<double> tau = stabilisation<2>(c.problem, c.state.mesh.fluid, fluid, std::vector<double>(c.state.mesh.fluid.size(), 3.0),
+                                                c.state.nodes.v, newmark.dt);
     int n = c.state.nodes.size();
     SolidDofs<2> dofs = solidDofs<2>(topology.solid, constraints);
     SymmetricMatrix A = solidMatrix();
@@ -42,11 +43,11 @@ struct Coupled {
                                  const Points<2>& v) const {
         Problem<2> problem = c.problem;
         problem.gravity.setZero();
-        for (auto& m : problem.materials) m.fluid.mu = 0;
         Nodes<2> trial = c.state.nodes;
         trial.p = p;
         trial.v = v;
-        return continuityResidual<2>(problem, {}, c.state.mesh.fluid, topology, fluid, stabilisationTime, trial,
+        return continuityResidual<2>(problem, {}, c.state.mesh.fluid, topology, fluid,
+                                     std::vector<double>(c.state.mesh.fluid.size(), 0.0), stabilisationTime, trial,
                                      c.state.nodes, newmark.dt, 0);
     }
     Points<2> still() const { return Points<2>(n, Vec<2>::Zero()); }

@@ -25,7 +25,10 @@ struct Fluid {
         return f;
     }
     Points<2> viscous(const Points<2>& v, const std::vector<double>& bulk = {}) const {
-        return force(fluidTangentStress<2>(c.problem, c.state.mesh.fluid, patches, v, bulk));
+        return force(fluidTangentStress<2>(patches, viscosities(), v, bulk));
+    }
+    std::vector<double> viscosities() const {
+        return pointViscosity<2>(c.problem, c.state.mesh.fluid, patches, c.state.nodes.v);
     }
     double area() const {
         double sum = 0;
@@ -73,7 +76,6 @@ TEST(ViscousOperator, powerOfUniformRates) {
 
 TEST(ViscousOperator, isTheDerivativeOfItsResidual) {
     Fluid f;
-    const auto& cells = f.c.state.mesh.fluid;
     const auto v = randomVectors(f.n, 1), w = randomVectors(f.n, 2);
     const auto p = randomNumbers(f.n, 3);
     const double eps = 1e-3;
@@ -82,8 +84,8 @@ TEST(ViscousOperator, isTheDerivativeOfItsResidual) {
         plus[i] += eps * w[i];
         minus[i] -= eps * w[i];
     }
-    const auto a = f.force(fluidStress<2>(f.c.problem, cells, f.patches, plus, p));
-    const auto b = f.force(fluidStress<2>(f.c.problem, cells, f.patches, minus, p));
+    const auto a = f.force(fluidStress<2>(f.patches, f.viscosities(), plus, p));
+    const auto b = f.force(fluidStress<2>(f.patches, f.viscosities(), minus, p));
     const auto exact = f.viscous(w);
     for (int i = 0; i < f.n; ++i) EXPECT_LT(((a[i] - b[i]) / (2 * eps) - exact[i]).norm(), 1e-9);
     EXPECT_GT(largest(exact), 1.0);
@@ -93,7 +95,7 @@ TEST(FluidStress, uniformPressureActsAsOutwardNormalLoad) {
     Fluid f;
     const std::vector<double> p(f.n, 2.5);
     const auto force = f.force(
-        fluidStress<2>(f.c.problem, f.c.state.mesh.fluid, f.patches, Points<2>(f.n, Vec<2>::Zero()), p));
+        fluidStress<2>(f.patches, f.viscosities(), Points<2>(f.n, Vec<2>::Zero()), p));
     // the internal force is minus the push of the pressure on its boundary
     Points<2> expected(f.n, Vec<2>::Zero());
     for (const auto& face : f.topology.faces)

@@ -83,9 +83,10 @@ TEST(Keywords, MeshDictIsComplete) {
 
 TEST(Keywords, ConstantIsComplete) {
     const auto materials = Dictionary::parse(
-        "water { type newtonian; rho 1; mu 1; kappa 1; } steel { type hypoelastic; rho 1; E 1; nu 0; }");
+        "water { type newtonian; rho 1; mu 1; kappa 1; } mud { type bingham; rho 1; mu 1; tau0 1; m 1; }"
+        "clay { type herschelBulkley; rho 1; k 1; n 0.5; tau0 1; } steel { type hypoelastic; rho 1; E 1; nu 0; }");
     readMaterials(materials);
-    expectDocumented(*materials.node(), names(constantKeywords()), {"water", "steel"});
+    expectDocumented(*materials.node(), names(constantKeywords()), {"water", "mud", "clay", "steel"});
     const auto conditions = Dictionary::parse(
         "a { type slip; } b { type clamped; } c { type symmetry; } d { type traction; traction (0 1 0); } e "
         "{ type noSlip; motion { velocity (1 0 0); omega 1; origin (0 0 0); } }");
