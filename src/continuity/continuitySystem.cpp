@@ -179,22 +179,40 @@ void addFreeSurface(SymmetricMatrix& A, const Problem<Dim>& problem, const Conti
     }
 }
 
+/// Part of each node, of those listed: slabs across the axis along which the fewest neighbours are parted.
+template <int Dim>
+std::vector<int> partsOfNodes(const NodeToNodes& ring, const Points<Dim>& x, const std::vector<int>& nodes, int nParts) {
+    Points<Dim> place;
+    for (int node : nodes) place.push_back(x[node]);
+    std::vector<int> best;
+    std::size_t fewest = 0;
+    for (int axis = 0; axis < Dim; ++axis) {
+        std::vector<int> part(x.size(), 0);
+        const auto slab = slabs<Dim>(place, nParts, axis);
+        for (std::size_t k = 0; k < nodes.size(); ++k) part[nodes[k]] = slab[k];
+        std::size_t parted = 0;
+        for (int node : nodes)
+            for (int s = ring.start[node]; s < ring.start[node + 1]; ++s) parted += part[ring.node[s]] != part[node];
+        if (axis > 0 && parted >= fewest) continue;
+        fewest = parted;
+        best = std::move(part);
+    }
+    return best;
+}
+
 /// Part of each unknown: that of its node.
 template <int Dim>
 std::vector<int> partsOfUnknowns(const Topology<Dim>& topology, const Points<Dim>& x, const Unknowns& u,
                                  const SolidDofs<Dim>& dofs, int nParts) {
-    std::vector<int> nodes;
-    Points<Dim> place;
-    for (int i = 0; i < topology.nNodes(); ++i)
-        if (u.pressure[i] >= 0 || nVelocities<Dim>(u, dofs, i) > 0) {
-            nodes.push_back(i);
-            place.push_back(x[i]);
-        }
-    const auto part = slabs<Dim>(place, nParts);
     std::vector<int> result(u.n, 0);
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-        if (u.pressure[nodes[k]] >= 0) result[u.pressure[nodes[k]]] = part[k];
-        forVelocities<Dim>(u, dofs, nodes[k], [&](int unknown, const Vec<Dim>&) { result[unknown] = part[k]; });
+    if (nParts < 2) return result;
+    std::vector<int> nodes;
+    for (int i = 0; i < topology.nNodes(); ++i)
+        if (u.pressure[i] >= 0 || nVelocities<Dim>(u, dofs, i) > 0) nodes.push_back(i);
+    const auto part = partsOfNodes<Dim>(topology.ring, x, nodes, nParts);
+    for (int node : nodes) {
+        if (u.pressure[node] >= 0) result[u.pressure[node]] = part[node];
+        forVelocities<Dim>(u, dofs, node, [&](int unknown, const Vec<Dim>&) { result[unknown] = part[node]; });
     }
     return result;
 }

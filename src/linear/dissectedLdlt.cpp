@@ -196,16 +196,9 @@ Eigen::VectorXd DissectedLdlt::solve(const Eigen::VectorXd& b) const {
 }
 
 template <int Dim>
-std::vector<int> slabs(const std::vector<Eigen::Matrix<double, Dim, 1>>& place, int nParts) {
+std::vector<int> slabs(const std::vector<Eigen::Matrix<double, Dim, 1>>& place, int nParts, int axis) {
     std::vector<int> part(place.size(), 0);
     if (place.empty() || nParts < 2) return part;
-    Eigen::Matrix<double, Dim, 1> low = place[0], high = place[0];
-    for (const auto& x : place) {
-        low = low.cwiseMin(x);
-        high = high.cwiseMax(x);
-    }
-    int axis = 0;
-    (high - low).maxCoeff(&axis);
     std::vector<double> sorted;
     for (const auto& x : place) sorted.push_back(x[axis]);
     std::vector<double> cuts;
@@ -219,7 +212,7 @@ std::vector<int> slabs(const std::vector<Eigen::Matrix<double, Dim, 1>>& place, 
     return part;
 }
 
-template std::vector<int> slabs<2>(const std::vector<Eigen::Matrix<double, 2, 1>>&, int);
-template std::vector<int> slabs<3>(const std::vector<Eigen::Matrix<double, 3, 1>>&, int);
+template std::vector<int> slabs<2>(const std::vector<Eigen::Matrix<double, 2, 1>>&, int, int);
+template std::vector<int> slabs<3>(const std::vector<Eigen::Matrix<double, 3, 1>>&, int, int);
 
 }  // namespace pfem

@@ -28,9 +28,8 @@ private:
     Ldlt between_;
 };
 
-/// Part of each place when all are cut into nParts of about equal number, perpendicular to the longest side of their
-/// box.
+/// Part of each place when all are cut into nParts of about equal number, perpendicular to the axis.
 template <int Dim>
-std::vector<int> slabs(const std::vector<Eigen::Matrix<double, Dim, 1>>& place, int nParts);
+std::vector<int> slabs(const std::vector<Eigen::Matrix<double, Dim, 1>>& place, int nParts, int axis);
 
 }  // namespace pfem

@@ -130,14 +130,19 @@ Eigen::VectorXd Ldlt::solve(const Eigen::VectorXd& b) const {
 Eigen::MatrixXd Ldlt::lastBlock() const {
     const Columns L(*cholmod_->factor);
     const int nLast = cholmod_->nLast, first = L.n - nLast;
-    Eigen::MatrixXd block = Eigen::MatrixXd::Zero(nLast, nLast);
-    for (int j = first; j < L.n; ++j) {  // sum_j l_j d_j l_j^T
+    // sum_j l_j d_j l_j^T
+    Eigen::MatrixXd l = Eigen::MatrixXd::Zero(nLast, nLast), ld = l, block(nLast, nLast);
+    for (int j = first; j < L.n; ++j) {
         const double d = L.value[L.start[j]];
-        const auto at = [&](int s) { return s == L.start[j] ? 1.0 : L.value[s]; };
-        for (int a = L.start[j]; a < L.start[j] + L.count[j]; ++a)
-            for (int b = L.start[j]; b < L.start[j] + L.count[j]; ++b)
-                block(L.order[L.row[a]] - first, L.order[L.row[b]] - first) += at(a) * d * at(b);
+        l(L.order[j] - first, j - first) = 1;
+        ld(L.order[j] - first, j - first) = d;
+        for (int s = L.start[j] + 1; s < L.start[j] + L.count[j]; ++s) {
+            l(L.order[L.row[s]] - first, j - first) = L.value[s];
+            ld(L.order[L.row[s]] - first, j - first) = d * L.value[s];
+        }
     }
+    block.triangularView<Eigen::Lower>() = ld * l.transpose();
+    block.triangularView<Eigen::StrictlyUpper>() = block.transpose();
     return block;
 }
 

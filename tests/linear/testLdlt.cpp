@@ -102,7 +102,7 @@ TEST(DissectedLdlt, anyPartsGiveTheSolution) {
         const auto q = quasiDefinite(30, 20, 9);
         std::vector<Eigen::Vector2d> place;
         for (int i = 0; i < 50; ++i) place.push_back({std::cos(i), 2.0 * std::sin(5.0 * i)});
-        const auto part = slabs<2>(place, nParts);
+        const auto part = slabs<2>(place, nParts, 1);
         for (int p = 0; p < nParts; ++p) EXPECT_NEAR(std::count(part.begin(), part.end(), p), 50.0 / nParts, 1);
         DissectedLdlt factor;
         factor.factorize(q.A, part, nParts);
