@@ -1,6 +1,7 @@
 #include "application/runApplication.hpp"
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <signal.h>
 #include <sys/utsname.h>
 #include <unistd.h>
@@ -22,6 +23,15 @@ std::string now(const char* format) {
     localtime_r(&seconds, &local);
     char text[64];
     return {text, std::strftime(text, sizeof text, format, &local)};
+}
+
+/// Freed memory stays with the program, which asks for the same again in its next step.
+void keepMemory() {
+#ifdef __GLIBC__
+    mallopt(M_MMAP_THRESHOLD, 1 << 30);
+    mallopt(M_TRIM_THRESHOLD, 1 << 30);
+    mallopt(M_TOP_PAD, 1 << 24);
+#endif
 }
 
 std::string host() {
@@ -70,6 +80,7 @@ std::string startBanner(const Options& options, const Case& theCase) {
 
 int runApplication(int argc, const char* const* argv, const std::string& description, const OptionsSpec& spec,
                    const std::function<int(const Options&)>& body) {
+    keepMemory();
     signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error with a message, not the end
     const std::string program = argc > 0 ? std::filesystem::path(argv[0]).filename().string() : "pfem";
     try {

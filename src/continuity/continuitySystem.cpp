@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/parallel.hpp"
+
 namespace pfem {
 
 namespace {
@@ -111,7 +113,7 @@ void addCells(SymmetricMatrix& A, const Problem<Dim>& problem, const ContinuityC
               const std::vector<double>& tau, const Unknowns& u, const SolidDofs<Dim>& dofs,
               const NodeConstraints<Dim>& constraints, const Newmark& newmark) {
     const NodeToCells& around = topology.fluid;
-#pragma omp parallel
+#pragma omp parallel if (cells.size() > shortLoop)
     {
         PressureColumn<Dim> column;
 #pragma omp for schedule(static)

@@ -1,5 +1,7 @@
 #include "continuity/residual.hpp"
 
+#include "base/parallel.hpp"
+
 namespace pfem {
 
 namespace {
@@ -21,7 +23,7 @@ CellTerms<Dim> cellTerms(const Problem<Dim>& problem, const Cells<Dim>& cells, c
     t.rate.resize(cells.nodes.size());
     t.compressibility.resize(cells.nodes.size());
     t.flux.resize(cells.nodes.size());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (cells.size() > shortLoop)
     for (int e = 0; e < cells.size(); ++e) {
         const auto& g = patches.element[e];
         double div = 0;
@@ -67,7 +69,7 @@ std::vector<double> continuityResidual(const Problem<Dim>& problem, const Contin
     const double returnRate =
         controls.volumeReturnTime > 0 ? 1 / std::max(controls.volumeReturnTime, dt) : 0;
     std::vector<double> R(trial.size(), 0.0);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (cells.size() > shortLoop)
     for (int i = 0; i < topology.nNodes(); ++i) {
         double compressibility = 0;
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {

@@ -1,5 +1,7 @@
 #include "continuity/stabilisation.hpp"
 
+#include "base/parallel.hpp"
+
 #include <cmath>
 
 namespace pfem {
@@ -9,7 +11,7 @@ std::vector<double> stabilisation(const Problem<Dim>& problem, const Cells<Dim>&
                                   const Patches<Dim>& patches, const std::vector<double>& mu, const Points<Dim>& v,
                                   double dt) {
     std::vector<double> tau(cells.size());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (cells.size() > shortLoop)
     for (int e = 0; e < cells.size(); ++e) {
         const ViscousFluid& fluid = problem.fluid(cells.material[e]);
         const double h = std::pow((Dim == 2 ? 2.0 : 6.0) * patches.element[e].measure, 1.0 / Dim);

@@ -1,5 +1,7 @@
 #include "integration/nodalPatches.hpp"
 
+#include "base/parallel.hpp"
+
 namespace pfem {
 
 template <int Dim>
@@ -20,7 +22,7 @@ void updatePatches(Patches<Dim>& patches, const Points<Dim>& x) {
     const int nCells = patches.nCells();
     const int nNodes = patches.nNodes();
     const NodeToCells& around = *patches.around;
-#pragma omp parallel
+#pragma omp parallel if (nCells > shortLoop)
     {
 #pragma omp for schedule(static)
         for (int e = 0; e < nCells; ++e) patches.element[e] = simplexGeometry<Dim>(x, patches.cell(e));
@@ -37,7 +39,7 @@ void updatePatches(Patches<Dim>& patches, const Points<Dim>& x) {
 template <int Dim>
 std::vector<Tensor<Dim>> elementGradient(const Patches<Dim>& patches, const Points<Dim>& v) {
     std::vector<Tensor<Dim>> L(patches.nCells());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (patches.nCells() > shortLoop)
     for (int e = 0; e < patches.nCells(); ++e) {
         L[e].setZero();
         for (int k = 0; k <= Dim; ++k) L[e] += v[patches.cell(e)[k]] * patches.element[e].gradN[k].transpose();
@@ -49,7 +51,7 @@ template <int Dim, class Value>
 std::vector<Value> nodalMean(const Patches<Dim>& patches, const std::vector<Value>& field) {
     const NodeToCells& around = *patches.around;
     std::vector<Value> mean(patches.nNodes());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (patches.nCells() > shortLoop)
     for (int i = 0; i < patches.nNodes(); ++i) {
         mean[i].setZero();
         if (around.count(i) == 0) continue;
@@ -63,7 +65,7 @@ std::vector<Value> nodalMean(const Patches<Dim>& patches, const std::vector<Valu
 template <int Dim, class Value>
 std::vector<Value> elementMean(const Patches<Dim>& patches, const std::vector<Value>& nodal) {
     std::vector<Value> mean(patches.nCells());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (patches.nCells() > shortLoop)
     for (int e = 0; e < patches.nCells(); ++e) {
         mean[e] = nodal[patches.cell(e)[0]];
         for (int k = 1; k <= Dim; ++k) mean[e] += nodal[patches.cell(e)[k]];
@@ -75,7 +77,7 @@ std::vector<Value> elementMean(const Patches<Dim>& patches, const std::vector<Va
 template <int Dim>
 void addInternalForce(const Patches<Dim>& patches, const std::vector<Tensor<Dim>>& stress, Points<Dim>& force) {
     const NodeToCells& around = *patches.around;
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (patches.nCells() > shortLoop)
     for (int i = 0; i < patches.nNodes(); ++i)
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
             const auto& g = patches.element[around.cell[s]];

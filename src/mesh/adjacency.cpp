@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
 
 namespace pfem {
@@ -31,7 +32,7 @@ NodeToNodes nodeToNodes(const std::vector<Simplex<Dim>>& cells, const NodeToCell
     std::vector<int> ring(around.cell.size() * Dim);  // of node i: from Dim * around.start[i] on
     NodeToNodes result;
     result.start.assign(around.start.size(), 0);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (cells.size() > shortLoop)
     for (int i = 0; i < nNodes; ++i) {
         int* const first = ring.data() + static_cast<std::ptrdiff_t>(Dim) * around.start[i];
         int* last = first;
@@ -49,7 +50,7 @@ NodeToNodes nodeToNodes(const std::vector<Simplex<Dim>>& cells, const NodeToCell
     }
     for (int i = 0; i < nNodes; ++i) result.start[i + 1] += result.start[i];
     result.node.resize(result.start[nNodes]);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (cells.size() > shortLoop)
     for (int i = 0; i < nNodes; ++i)
         std::copy_n(ring.data() + static_cast<std::ptrdiff_t>(Dim) * around.start[i],
                     result.start[i + 1] - result.start[i], result.node.data() + result.start[i]);
@@ -70,7 +71,7 @@ std::vector<BoundaryFace<Dim>> boundaryFaces(const std::vector<Simplex<Dim>>& ce
         return false;
     };
     std::vector<unsigned char> open(cells.size(), 0);  // bit k: the face opposite to node k
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (cells.size() > shortLoop)
     for (int e = 0; e < static_cast<int>(cells.size()); ++e)
         for (int k = 0; k <= Dim; ++k)
             if (!isShared(e, oppositeFace<Dim>(cells[e], k))) open[e] |= static_cast<unsigned char>(1 << k);

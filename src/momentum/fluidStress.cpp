@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/parallel.hpp"
 #include "material/viscosity.hpp"
 
 namespace pfem {
@@ -19,7 +20,7 @@ std::vector<double> pointViscosity(const Problem<Dim>& problem, const Cells<Dim>
     std::vector<double> mu(nStressPoints<Dim>(patches), 0.0);
     std::vector<Tensor<Dim>> L;  // which a constant viscosity does not ask for
     if (!isNewtonian<Dim>(problem)) L = toPoints<Dim>(patches, elementGradient<Dim>(patches, v));
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (patches.nCells() > shortLoop)
     for (int p = 0; p < nStressPoints<Dim>(patches); ++p) {
         if (!isStressPoint<Dim>(patches, p)) continue;
         const ViscousFluid& fluid = problem.fluid(cells.material[cellOfPoint<Dim>(patches, p)]);
@@ -32,7 +33,7 @@ template <int Dim>
 std::vector<Tensor<Dim>> fluidTangentStress(const Patches<Dim>& patches, const std::vector<double>& mu,
                                             const Points<Dim>& dv, const std::vector<double>& bulk) {
     auto stress = toPoints<Dim>(patches, elementGradient<Dim>(patches, dv));
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (patches.nCells() > shortLoop)
     for (int p = 0; p < nStressPoints<Dim>(patches); ++p) {
         const double div = stress[p].trace();
         stress[p] = viscousStress<Dim>(mu[p], stress[p]);
@@ -45,7 +46,7 @@ template <int Dim>
 std::vector<Tensor<Dim>> fluidStress(const Patches<Dim>& patches, const std::vector<double>& mu, const Points<Dim>& v,
                                      const std::vector<double>& p) {
     auto stress = fluidTangentStress<Dim>(patches, mu, v, {});
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (patches.nCells() > shortLoop)
     for (int e = 0; e < patches.nCells(); ++e) stress[e] -= cellMean<Dim>(patches, p, e) * Tensor<Dim>::Identity();
     return stress;
 }

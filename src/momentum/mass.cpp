@@ -1,12 +1,14 @@
 #include "momentum/mass.hpp"
 
+#include "base/parallel.hpp"
+
 namespace pfem {
 
 template <int Dim>
 std::vector<double> fluidMass(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches) {
     const NodeToCells& around = *patches.around;
     std::vector<double> mass(patches.nNodes(), 0.0);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (cells.size() > shortLoop)
     for (int i = 0; i < patches.nNodes(); ++i) {
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
             const int e = around.cell[s];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
 
 namespace pfem {
@@ -80,7 +81,7 @@ public:
           accepted_(t_.cells.size(), 0) {}
 
     Connectivity select() {
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (static_cast<int>(t_.cells.size()) > shortLoop)
         for (int e = 0; e < static_cast<int>(t_.cells.size()); ++e) judge(e);
         countCells();
         Connectivity& result = result_;
