@@ -107,7 +107,7 @@ std::vector<double> continuityResidual(const Problem<Dim>& problem, const Contin
 
 template std::vector<double> continuityResidual<2>(const Problem<2>&, const ContinuityControls&,
                                                    const Cells<2>&, const Topology<2>&, const Patches<2>&,
-                                                   const std::vector<double>&, const Nodes<2>&,
-                                                   const Nodes<2>&, double, double);
+                                                   const std::vector<double>&, const std::vector<double>&,
+                                                   const Nodes<2>&, const Nodes<2>&, double, double);
 
 }  // namespace pfem

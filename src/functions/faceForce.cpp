@@ -2,6 +2,7 @@
 
 #include "material/viscosity.hpp"
 #include "mesh/simplex.hpp"
+#include "momentum/wallFriction.hpp"
 
 namespace pfem {
 
@@ -32,12 +33,20 @@ FaceForce<Dim> faceForce(const Problem<Dim>& problem, const State<Dim>& state, c
     Vec<Dim> traction = -(viscousStressOfCell<Dim>(problem, state, face.cell) * area);
     if (face.patch >= 0 && problem.conditions.kind[face.patch] == PatchKind::slipWall)
         traction = area * (area.dot(traction) / area.squaredNorm());
+    const bool slips = face.patch >= 0 && problem.conditions.friction[face.patch] > 0;
+    const double rho = problem.fluid(state.mesh.fluid.material[face.cell]).rho;
     FaceForce<Dim> force;
     for (int i = 0; i < Dim; ++i) {
         double p = 0;
         for (int j = 0; j < Dim; ++j) p += shape<Dim>(i, j) * state.nodes.p[face.nodes[j]];
         force.pressure[i] = p * area;
         force.viscous[i] = traction / Dim;
+        if (!slips) continue;
+        const int node = face.nodes[i];
+        const Vec<Dim> u = slidingVelocity<Dim>(problem, face.patch, area.normalized(), state.nodes.x[node], state.nodes.v[node]);
+        const Vec<Dim> friction = area.norm() / Dim * wallFriction<Dim>(problem, face.patch, rho, u);
+        force.viscous[i] -= friction;
+        force.dissipation -= friction.dot(u);
     }
     return force;
 }

@@ -32,8 +32,9 @@ std::string columns(const Table& table, double time, const std::vector<Eigen::Ve
 }  // namespace
 
 template <int Dim>
-FluidForce fluidForce(const Problem<Dim>& problem, const State<Dim>& state, const std::vector<int>& patches,
+FluidForce fluidForce(const Problem<Dim>& problemOfRun, const State<Dim>& state, const std::vector<int>& patches,
                       const std::vector<int>& materials) {
+    const Problem<Dim> problem = problemAt<Dim>(state.time.value, problemOfRun);
     FluidForce sum;
     const auto topology = makeTopology<Dim>(state.mesh, problem.conditions.kind, state.nodes.wall);
     for (const auto& face : wetFaces<Dim>(state, topology)) {

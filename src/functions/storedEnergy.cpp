@@ -38,17 +38,20 @@ double contraction(const Patches<Dim>& patches, const std::vector<Tensor<Dim>>& 
     return power;
 }
 
-/// Walls: - force of the fluid on them times the velocity of its nodes there, whose component along the force
-/// is the wall's. Clamps: their force times their velocity.
+/// Power of walls and clamps, and what friction takes at walls. Walls: - force of the fluid on them times the velocity of its nodes there, whose component along the force
+/// is the wall's; friction at a wall that slides off is dissipation. Clamps: their force times their velocity.
 template <int Dim>
-double wallPower(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state) {
-    double power = 0;
+EnergyPowers wallPower(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state) {
+    EnergyPowers result;
+    double& power = result.walls;
     const auto topology = makeTopology<Dim>(state.mesh, problem.conditions.kind, state.nodes.wall);
     for (const auto& face : wetFaces<Dim>(state, topology)) {
         if (face.patch < 0) continue;
         const auto force = faceForce<Dim>(problem, state, face);
         for (std::size_t i = 0; i < Dim; ++i)
             power -= (force.pressure[i] + force.viscous[i]).dot(state.nodes.v[face.nodes[i]]);
+        power += force.dissipation;
+        result.viscous += force.dissipation;
     }
     std::vector<int> clamped;
     for (std::size_t k = 0; k < state.mesh.patches.size(); ++k)
@@ -58,10 +61,10 @@ double wallPower(const Problem<Dim>& problem, const Controls& controls, const St
     std::sort(clamped.begin(), clamped.end());
     clamped.erase(std::unique(clamped.begin(), clamped.end()), clamped.end());
     std::erase_if(clamped, [&](int i) { return state.nodes.v[i].isZero(0); });
-    if (clamped.empty()) return power;
+    if (clamped.empty()) return result;
     const auto forces = supportForces<Dim>(problem, controls, state);
     for (const int i : clamped) power += forces[i].dot(state.nodes.v[i]);
-    return power;
+    return result;
 }
 
 }  // namespace
@@ -140,7 +143,9 @@ EnergyPowers energyPowers(const Problem<Dim>& problem, const Controls& controls,
     powers.damper = contraction<Dim>(
         solid, solidElementStress<Dim>(problem, damperOnly, mesh.solid, solid, solid, none, nodes),
         elementGradient<Dim>(solid, nodes.v));
-    powers.walls = wallPower<Dim>(problem, controls, state);
+    const auto walls = wallPower<Dim>(problemAt<Dim>(state.time.value, problem), controls, state);
+    powers.walls = walls.walls;
+    powers.viscous += walls.viscous;
     return powers;
 }
 

@@ -52,6 +52,10 @@ BoundaryConditions<Dim> readBoundaryConditions(const Dictionary& dict, const std
                 entry.fatal("motion", "'" + patch.name + "' cannot be moved: only slip, noSlip and clamped patches can");
             result.motion.back() = std::make_shared<WallMotion>(entry.subDict("motion"));
         }
+        result.friction.push_back(entry.get<double>("friction", 0));
+        if (entry.found("friction") && type != "slip")
+            entry.fatal("friction", "'" + patch.name + "' is not a slip wall: only those have 'friction'");
+        if (!(result.friction.back() >= 0)) entry.fatal("friction", "Entry 'friction' must not be negative");
         if (type == "slip") result.kind.push_back(PatchKind::slipWall);
         if (type == "noSlip") result.kind.push_back(PatchKind::noSlipWall);
         if (type == "clamped") result.kind.push_back(PatchKind::clamped);

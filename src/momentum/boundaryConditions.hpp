@@ -19,6 +19,8 @@ struct BoundaryConditions {
     std::vector<Function1Ptr<Eigen::Vector3d>> tractionOverTime;  // null: it stays as it is
     std::vector<std::shared_ptr<const WallMotion>> motion;  // null: at rest; walls and clamped patches only
 
+    std::vector<double> friction;  // c_f of slip walls [-], see momentum/wallFriction.hpp
+
     bool anyMotion() const {
         return std::any_of(motion.begin(), motion.end(), [](const auto& m) { return m != nullptr; });
     }

@@ -60,6 +60,8 @@ std::vector<KeywordTable> constantKeywords() {
            "traction: a loaded edge of a solid",
            "one of: slip noSlip clamped symmetry traction"},
           {"traction", "vector of time", "Pa", "required for traction", "load per area", ""},
+          {"friction", "scalar", "-", "0",
+           "of a slip wall: shear stress rho c_f |u| u / 2; smooth walls 0.079 Re^(-1/4), Re with 4 times the depth", ">= 0"},
           {"motion", "dictionary", "-", "at rest", "how a wall or a clamped patch moves", ""}}},
         {conditions,
          "motion",

@@ -100,14 +100,14 @@ public:
 private:
     void judge(int e) {
         const auto& s = t_.cells[e];
-        if (isFlatOnWall(s)) return;
+        const bool allHeld = nodes_.held[s[0]] && nodes_.held[s[1]] && nodes_.held[s[2]];
+        if (isFlatOnWall(s) || (allHeld && isSliver(s))) return;
         const Vec<2> centre = simplexCentroid<2>(nodes_.x, s);
         inside_[e] = wasFluid(s, centre);
         if (inside_[e]) {
             accepted_[e] = 1;
             return;
         }
-        const bool allHeld = nodes_.held[s[0]] && nodes_.held[s[1]] && nodes_.held[s[2]];
         if (allHeld || isBehindWall(s, centre) || solid_.contains(centre)) return;
         accepted_[e] = isContact(controls_, nodes_, s);
     }
@@ -158,11 +158,23 @@ private:
         return false;
     }
 
+    bool isSliver(const Simplex<2>& s) const {
+        const double h = meanSize(nodes_, s);
+        return simplexMeasure<2>(nodes_.x, s) < controls_.sliver * h * h;
+    }
+
     bool isStretched(int e) const {
         const auto& s = t_.cells[e];
-        const double h = meanSize(nodes_, s);
-        return simplexMeasure<2>(nodes_.x, s) < controls_.sliver * h * h ||
-               circumradius(nodes_.x, s) > controls_.alpha * controls_.alphaInside * h;
+        return isSliver(s) ||
+               circumradius(nodes_.x, s) > controls_.alpha * controls_.alphaInside * meanSize(nodes_, s);
+    }
+
+    /// A lone triangle between places of solids or corners of walls: what little it holds, no fluid node can carry.
+    bool isTrapped(int e) const {
+        const auto& s = t_.cells[e];
+        const auto& n = t_.neighbours[e];
+        return nodes_.held[s[0]] && nodes_.held[s[1]] && nodes_.held[s[2]] && !isFluid(n[0]) && !isFluid(n[1]) &&
+               !isFluid(n[2]);
     }
 
     /// A node hangs on this triangle alone, and the triangle is flat or about to collapse: such a node has hardly any
@@ -200,9 +212,9 @@ private:
         while (!work.empty()) {
             const int e = work.back();
             work.pop_back();
-            if (!accepted_[e] || !isAtSurface(e)) continue;
+            if (!accepted_[e] || !(isAtSurface(e) || isTrapped(e))) continue;
             const bool stretched = isStretched(e) || isHanging(e);
-            if (!stretched && !isReleased(e)) continue;
+            if (!stretched && !isTrapped(e) && !isReleased(e)) continue;
             accepted_[e] = 0;
             if (inside_[e]) {
                 (stretched ? result_.stretched : result_.released) += simplexMeasure<2>(nodes_.x, t_.cells[e]);

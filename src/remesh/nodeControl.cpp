@@ -92,9 +92,29 @@ private:
                 if (j < i || locked_[i] || locked_[j]) continue;
                 if ((moved_.x[i] - moved_.x[j]).norm() < controls_.insertDistance * 0.5 * (h_[i] + h_[j])) continue;
                 if (kept_[i] && kept_[j] && isBoundaryEdge(i, j)) continue;
+                if (wouldGoAgain(i, j)) continue;
                 plan_.inserted.push_back({i, j});
                 locked_[i] = locked_[j] = 1;
             }
+    }
+
+    /// Would the midpoint be too close to a node opposite to the edge? Then the next remeshing would remove one of them.
+    bool wouldGoAgain(int i, int j) const {
+        const bool surface = isBoundaryEdge(i, j);
+        const Vec<Dim> middle = 0.5 * (moved_.x[i] + moved_.x[j]);
+        const auto& around = moved_.topology.fluid;
+        for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
+            const auto& cell = moved_.fluid[around.cell[s]];
+            if (std::find(cell.begin(), cell.end(), j) == cell.end()) continue;
+            for (int node : cell) {
+                if (node == i || node == j) continue;
+                const double distance = (moved_.x[node] - middle).norm() / ((h_[i] + h_[j]) / 4 + h_[node] / 2);
+                const bool boundary = moved_.topology.freeSurface[node] || moved_.topology.onWall[node] || kept_[node];
+                if (surface ? boundary && distance < controls_.removeDistanceSurface : distance < controls_.removeDistance)
+                    return true;
+            }
+        }
+        return false;
     }
 
     bool isBoundaryEdge(int i, int j) const {

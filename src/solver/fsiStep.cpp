@@ -13,6 +13,7 @@
 #include "momentum/momentumSystem.hpp"
 #include "momentum/residual.hpp"
 #include "momentum/solidStress.hpp"
+#include "momentum/wallFriction.hpp"
 #include "solver/anderson.hpp"
 #include "solver/convergence.hpp"
 
@@ -150,12 +151,14 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
             cellMu = fromPoints<Dim>(fluid, mu);
             momentum.setViscosity(mu);
         }
+        auto external = tractionForce<Dim>(mesh, problem.conditions, trial.x);
+        addWallFriction<Dim>(problem, mesh.fluid, topology, trial, external);
         const auto R_m = momentumResidual<Dim>(
             mass, trial.a, problem.gravity, fluid,
             fluidStress<Dim>(fluid, mu, trial.v, trial.p), solid,
             solidElementStress<Dim>(problem, controls.solid, mesh.solid, solidGradients, solid, stressOfSolid,
                                     trial),
-            tractionForce<Dim>(mesh, problem.conditions, trial.x));
+            external);
         momentum.setMass(mass);
         const auto dv = momentum.solve(R_m);
         for (int i = 0; i < trial.size(); ++i) trial.v[i] += dv[i];

@@ -10,6 +10,7 @@ namespace pfem {
 template <int Dim>
 struct Problem {
     std::vector<Material> materials;  // in the order of Mesh::materials
+    double time = 0;                  // the time in question [s]
     Vec<Dim> gravity = Vec<Dim>::Zero();               // at the time in question [m/s2]
     Function1Ptr<Eigen::Vector3d> gravityOverTime;  // null: it stays as it is
     BoundaryConditions<Dim> conditions;
@@ -21,6 +22,7 @@ struct Problem {
 /// The problem with gravity and tractions of time t [s].
 template <int Dim>
 Problem<Dim> problemAt(double t, Problem<Dim> problem) {
+    problem.time = t;
     if (problem.gravityOverTime) problem.gravity = problem.gravityOverTime->value(t).template head<Dim>();
     BoundaryConditions<Dim>& c = problem.conditions;
     for (std::size_t k = 0; k < c.tractionOverTime.size(); ++k)

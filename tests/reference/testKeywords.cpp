@@ -88,7 +88,7 @@ TEST(Keywords, ConstantIsComplete) {
     readMaterials(materials);
     expectDocumented(*materials.node(), names(constantKeywords()), {"water", "mud", "clay", "steel"});
     const auto conditions = Dictionary::parse(
-        "a { type slip; } b { type clamped; } c { type symmetry; } d { type traction; traction (0 1 0); } e "
+        "a { type slip; friction 0.004; } b { type clamped; } c { type symmetry; } d { type traction; traction (0 1 0); } e "
         "{ type noSlip; motion { velocity (1 0 0); omega 1; origin (0 0 0); } }");
     std::vector<Patch<2>> patches;
     for (const char* name : {"a", "b", "c", "d", "e"}) patches.push_back({name, {}});

@@ -1,0 +1,45 @@
+#include "momentum/wallFriction.hpp"
+
+#include <algorithm>
+
+#include "mesh/simplex.hpp"
+
+namespace pfem {
+
+template <int Dim>
+Vec<Dim> slidingVelocity(const Problem<Dim>& problem, int patch, const Vec<Dim>& n, const Vec<Dim>& x, const Vec<Dim>& v) {
+    Vec<Dim> u = v;
+    const auto& motion = problem.conditions.motion[patch];
+    if (motion) u -= motion->template step<Dim>(problem.time, problem.time).velocityAt(x);
+    return u - n * n.dot(u);
+}
+
+template <int Dim>
+Vec<Dim> wallFriction(const Problem<Dim>& problem, int patch, double rho, const Vec<Dim>& u) {
+    return -0.5 * rho * problem.conditions.friction[patch] * u.norm() * u;
+}
+
+template <int Dim>
+void addWallFriction(const Problem<Dim>& problem, const Cells<Dim>& fluid, const Topology<Dim>& topology,
+                     const Nodes<Dim>& nodes, Points<Dim>& force) {
+    const auto& conditions = problem.conditions;
+    if (std::all_of(conditions.friction.begin(), conditions.friction.end(), [](double c) { return c == 0; })) return;
+    for (const auto& face : topology.faces) {
+        const int wall = face.kind == FaceKind::wall ? commonWall(topology, nodes.wall, face.nodes) : -1;
+        if (wall < 0) continue;
+        const int patch = topology.walls[wall].patch;
+        const Vec<Dim> area = faceArea<Dim>(nodes.x, face.nodes);
+        const double measure = area.norm(), rho = problem.fluid(fluid.material[face.cell]).rho;
+        if (conditions.friction[patch] == 0 || measure == 0) continue;
+        for (int node : face.nodes) {
+            const Vec<Dim> u = slidingVelocity<Dim>(problem, patch, area / measure, nodes.x[node], nodes.v[node]);
+            force[node] += measure / Dim * wallFriction<Dim>(problem, patch, rho, u);
+        }
+    }
+}
+
+template Vec<2> slidingVelocity<2>(const Problem<2>&, int, const Vec<2>&, const Vec<2>&, const Vec<2>&);
+template Vec<2> wallFriction<2>(const Problem<2>&, int, double, const Vec<2>&);
+template void addWallFriction<2>(const Problem<2>&, const Cells<2>&, const Topology<2>&, const Nodes<2>&, Points<2>&);
+
+}  // namespace pfem
