@@ -27,7 +27,7 @@ Points<Dim> supportForces(const Problem<Dim>& problemOfRun, const Controls& cont
         controls.solid.stressUpdate == "neoHookean"
             ? solidStress<Dim>(problem, controls.solid, mesh.solid, gradients, nodes, nodes, 0)
             : SolidStress<Dim>{storedAtPoints<Dim>(solid, nodes.sigma, mesh.solid.sigma), {}};
-    const auto mu = pointViscosity<Dim>(problem, mesh.fluid, fluid, nodes.v);
+    const auto mu = flowViscosity<Dim>(problem, mesh.fluid, fluid, nodes.v).mu;
     return momentumResidual<Dim>(
         mass, nodes.a, problem.gravity, fluid, fluidStress<Dim>(fluid, mu, nodes.v, nodes.p),
         solid, solidElementStress<Dim>(problem, controls.solid, mesh.solid, gradients, solid, stress, nodes),

@@ -129,8 +129,8 @@ EnergyPowers energyPowers(const Problem<Dim>& problem, const Controls& controls,
     const auto aroundFluid = nodeToCells<Dim>(mesh.fluid.nodes, nodes.size());
     const auto fluid =
         makePatches<Dim>(mesh.fluid.nodes, aroundFluid, nodes.x, controls.integration.scheme());
-    const auto mu = pointViscosity<Dim>(problem, mesh.fluid, fluid, nodes.v);
-    powers.viscous = contraction<Dim>(fluid, fluidTangentStress<Dim>(fluid, mu, nodes.v, {}),
+    const auto mu = flowViscosity<Dim>(problem, mesh.fluid, fluid, nodes.v).mu;
+    powers.viscous = contraction<Dim>(fluid, fluidTangentStress<Dim>(fluid, {mu, {}, {}}, nodes.v, {}),
                                       elementGradient<Dim>(fluid, nodes.v));
 
     // with stress zero what is left of the solid's element stress is the damper's

@@ -15,6 +15,9 @@ double shearRate(const Tensor<Dim>& L);
 /// term is sqrt(g^2 + 1/m^2).
 double viscosity(const ViscousFluid& fluid, double shearRate);
 
+/// d mu / d g [Pa s2].
+double viscositySlope(const ViscousFluid& fluid, double shearRate);
+
 /// s = 2 mu (d - tr(d)/3 I), in the plane.
 template <int Dim>
 Tensor<Dim> viscousStress(double mu, const Tensor<Dim>& L);

@@ -15,29 +15,44 @@ bool isNewtonian(const Problem<Dim>& problem) {
 }
 
 template <int Dim>
-std::vector<double> pointViscosity(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
-                                   const Points<Dim>& v) {
-    std::vector<double> mu(nStressPoints<Dim>(patches), 0.0);
-    std::vector<Tensor<Dim>> L;  // which a constant viscosity does not ask for
-    if (!isNewtonian<Dim>(problem)) L = toPoints<Dim>(patches, elementGradient<Dim>(patches, v));
+FlowViscosity<Dim> flowViscosity(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
+                                 const Points<Dim>& v) {
+    const int n = nStressPoints<Dim>(patches);
+    FlowViscosity<Dim> result;
+    result.mu.assign(n, 0.0);
+    const bool depends = !isNewtonian<Dim>(problem);
+    if (depends) {
+        result.rate = toPoints<Dim>(patches, elementGradient<Dim>(patches, v));
+        result.softening.assign(n, 0.0);
+    }
 #pragma omp parallel for schedule(static) if (patches.nCells() > shortLoop)
-    for (int p = 0; p < nStressPoints<Dim>(patches); ++p) {
+    for (int p = 0; p < n; ++p) {
         if (!isStressPoint<Dim>(patches, p)) continue;
         const ViscousFluid& fluid = problem.fluid(cells.material[cellOfPoint<Dim>(patches, p)]);
-        mu[p] = viscosity(fluid, L.empty() ? 0 : shearRate<Dim>(L[p]));
+        const double g = depends ? shearRate<Dim>(result.rate[p]) : 0;
+        result.mu[p] = viscosity(fluid, g);
+        if (!depends) continue;
+        const Tensor<Dim> L = result.rate[p];
+        result.rate[p] = 0.5 * (L + L.transpose()) - L.trace() / 3 * Tensor<Dim>::Identity();
+        if (g > 0) result.softening[p] = 4 / g * viscositySlope(fluid, g);
     }
-    return mu;
+    return result;
 }
 
 template <int Dim>
-std::vector<Tensor<Dim>> fluidTangentStress(const Patches<Dim>& patches, const std::vector<double>& mu,
+std::vector<Tensor<Dim>> fluidTangentStress(const Patches<Dim>& patches, const FlowViscosity<Dim>& viscosity,
                                             const Points<Dim>& dv, const std::vector<double>& bulk) {
     auto stress = toPoints<Dim>(patches, elementGradient<Dim>(patches, dv));
 #pragma omp parallel for schedule(static) if (patches.nCells() > shortLoop)
     for (int p = 0; p < nStressPoints<Dim>(patches); ++p) {
-        const double div = stress[p].trace();
-        stress[p] = viscousStress<Dim>(mu[p], stress[p]);
-        if (!bulk.empty()) stress[p] += bulk[p] * div * Tensor<Dim>::Identity();
+        const Tensor<Dim> L = stress[p];
+        stress[p] = viscousStress<Dim>(viscosity.mu[p], L);
+        if (!viscosity.rate.empty()) {
+            // d' : dd', the zz component of plane strain included: d' : dd as d' has no trace
+            const Tensor<Dim>& rate = viscosity.rate[p];
+            stress[p] += viscosity.softening[p] * rate.cwiseProduct(L).sum() * rate;
+        }
+        if (!bulk.empty()) stress[p] += bulk[p] * L.trace() * Tensor<Dim>::Identity();
     }
     return fromPoints<Dim>(patches, std::move(stress));
 }
@@ -45,17 +60,17 @@ std::vector<Tensor<Dim>> fluidTangentStress(const Patches<Dim>& patches, const s
 template <int Dim>
 std::vector<Tensor<Dim>> fluidStress(const Patches<Dim>& patches, const std::vector<double>& mu, const Points<Dim>& v,
                                      const std::vector<double>& p) {
-    auto stress = fluidTangentStress<Dim>(patches, mu, v, {});
+    auto stress = fluidTangentStress<Dim>(patches, {mu, {}, {}}, v, {});
 #pragma omp parallel for schedule(static) if (patches.nCells() > shortLoop)
     for (int e = 0; e < patches.nCells(); ++e) stress[e] -= cellMean<Dim>(patches, p, e) * Tensor<Dim>::Identity();
     return stress;
 }
 
 template bool isNewtonian<2>(const Problem<2>&);
-template std::vector<double> pointViscosity<2>(const Problem<2>&, const Cells<2>&, const Patches<2>&, const Points<2>&);
+template FlowViscosity<2> flowViscosity<2>(const Problem<2>&, const Cells<2>&, const Patches<2>&, const Points<2>&);
 template std::vector<Tensor<2>> fluidStress<2>(const Patches<2>&, const std::vector<double>&, const Points<2>&,
                                                const std::vector<double>&);
-template std::vector<Tensor<2>> fluidTangentStress<2>(const Patches<2>&, const std::vector<double>&, const Points<2>&,
+template std::vector<Tensor<2>> fluidTangentStress<2>(const Patches<2>&, const FlowViscosity<2>&, const Points<2>&,
                                                       const std::vector<double>&);
 
 }  // namespace pfem

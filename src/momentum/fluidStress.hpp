@@ -10,21 +10,29 @@ namespace pfem {
 template <int Dim>
 bool isNewtonian(const Problem<Dim>& problem);
 
-/// mu of every stress point in the flow v [Pa s]; 0 outside the material.
+/// The viscosity of every stress point and how it answers to the flow.
 template <int Dim>
-std::vector<double> pointViscosity(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
-                                   const Points<Dim>& v);
+struct FlowViscosity {
+    std::vector<double> mu;          // [Pa s]; 0 outside the material
+    std::vector<Tensor<Dim>> rate;   // d' [1/s]; empty: no viscosity depends on the flow
+    std::vector<double> softening;   // (4/g) d mu/d g [Pa s3], g the shear rate
+};
 
-/// Element stress with the force of the points' sigma = 2 mu (d - tr(d)/3 I) - p I. The nodal pressure acts by its mean
-/// over each element with both integrations.
+/// In the flow v.
+template <int Dim>
+FlowViscosity<Dim> flowViscosity(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
+                                 const Points<Dim>& v);
+
+/// Element stress with the force of the points' sigma = 2 mu d' - p I, d' = d - tr(d)/3 I. The nodal pressure acts by its
+/// mean over each element with both integrations.
 template <int Dim>
 std::vector<Tensor<Dim>> fluidStress(const Patches<Dim>& patches, const std::vector<double>& mu, const Points<Dim>& v,
                                      const std::vector<double>& p);
 
-/// The same without pressure plus `bulk` * tr(d) I per stress point (empty: none): the operator of the momentum matrix
-/// (42)-(43).
+/// The change of that stress with dv, without pressure, plus `bulk` * tr(d) I per stress point (empty: none): the operator
+/// of the momentum matrix (42)-(43). With a viscosity that depends on the flow: 2 mu dd' + softening (d' : dd') d'.
 template <int Dim>
-std::vector<Tensor<Dim>> fluidTangentStress(const Patches<Dim>& patches, const std::vector<double>& mu,
+std::vector<Tensor<Dim>> fluidTangentStress(const Patches<Dim>& patches, const FlowViscosity<Dim>& viscosity,
                                             const Points<Dim>& dv, const std::vector<double>& bulk);
 
 }  // namespace pfem

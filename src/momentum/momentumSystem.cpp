@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "momentum/fluidStress.hpp"
-
 namespace pfem {
 
 namespace {
@@ -71,7 +69,7 @@ template <int Dim>
 MomentumSystem<Dim>::MomentumSystem(const Problem<Dim>& problem, const MomentumControls& momentum,
                                     const Mesh<Dim>& mesh, const Topology<Dim>& topology,
                                     const NodeConstraints<Dim>& constraints, const Patches<Dim>& fluid,
-                                    std::vector<double> mu, const std::vector<double>& mass, SolidDofs<Dim> dofs,
+                                    FlowViscosity<Dim> viscosity, const std::vector<double>& mass, SolidDofs<Dim> dofs,
                                     SymmetricMatrix solid, const Newmark& newmark)
     : controls_(momentum),
       constraints_(constraints),
@@ -90,7 +88,7 @@ MomentumSystem<Dim>::MomentumSystem(const Problem<Dim>& problem, const MomentumC
         moving_[i] = topology.wet(i) && !topology.onSolid[i] && moves;
     }
     setMass(mass);
-    setViscosity(std::move(mu));
+    setViscosity(std::move(viscosity));
     if (controls_.theta > 0) {
         bulk_ = controls_.bulkRule == "local" ? localBulk<Dim>(problem, mesh.fluid, fluid, newmark.dt)
                                               : meanBulk<Dim>(fluid, mass, newmark.massFactor());
@@ -99,9 +97,9 @@ MomentumSystem<Dim>::MomentumSystem(const Problem<Dim>& problem, const MomentumC
 }
 
 template <int Dim>
-void MomentumSystem<Dim>::setViscosity(std::vector<double> mu) {
-    mu_ = std::move(mu);
-    viscousDiagonal_ = viscousDiagonal<Dim>(fluid_, mu_);
+void MomentumSystem<Dim>::setViscosity(FlowViscosity<Dim> viscosity) {
+    viscosity_ = std::move(viscosity);
+    viscousDiagonal_ = viscousDiagonal<Dim>(fluid_, viscosity_.mu);
     viscous_ = controls_.theta > 0 || viscousNumber(viscousDiagonal_, diagonal_) > controls_.viscousLimit;
 }
 
@@ -141,7 +139,7 @@ Points<Dim> MomentumSystem<Dim>::apply(const Points<Dim>& u) const {
     Points<Dim> y(u.size(), Vec<Dim>::Zero());
     for (std::size_t i = 0; i < u.size(); ++i) y[i] = diagonal_[i] * u[i];
     if (viscous_)
-        addInternalForce<Dim>(fluid_, fluidTangentStress<Dim>(fluid_, mu_, u, bulk_), y);
+        addInternalForce<Dim>(fluid_, fluidTangentStress<Dim>(fluid_, viscosity_, u, bulk_), y);
     if (dofs_.n > 0) scatter(solid_.multiply(gather(u)), y);
     return restricted(y);
 }

@@ -2,6 +2,7 @@
 // ONE linear system for the velocities of fluid and solid together: (M + K) dv = -R_m (40)-(43).
 
 #include "linear/ldlt.hpp"
+#include "momentum/fluidStress.hpp"
 #include "momentum/solidMatrix.hpp"
 
 namespace pfem {
@@ -13,17 +14,17 @@ template <int Dim>
 class MomentumSystem {
 public:
     /// The references must outlive the system. `fluid`: patches whose current geometry is used by solve;
-    /// `mu`: viscosity of their stress points.
+    /// `viscosity`: of their stress points.
     MomentumSystem(const Problem<Dim>& problem, const MomentumControls& momentum, const Mesh<Dim>& mesh,
                    const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,
-                   const Patches<Dim>& fluid, std::vector<double> mu, const std::vector<double>& mass,
+                   const Patches<Dim>& fluid, FlowViscosity<Dim> viscosity, const std::vector<double>& mass,
                    SolidDofs<Dim> dofs, SymmetricMatrix solid, const Newmark& newmark);
 
     /// Lumped mass of the fluid's nodes in the current configuration (the solid's factor stays).
     void setMass(const std::vector<double>& mass);
 
     /// Viscosity of the fluid's stress points.
-    void setViscosity(std::vector<double> mu);
+    void setViscosity(FlowViscosity<Dim> viscosity);
 
     /// dv of all nodes for the right-hand side -R; zero where a velocity is prescribed and on isolated nodes.
     Points<Dim> solve(const Points<Dim>& residual);
@@ -47,7 +48,7 @@ private:
     Ldlt factor_;
     std::vector<unsigned char> moving_;   // fluid nodes with unknowns, solids left out
     std::vector<double> diagonal_;        // massFactor * m of moving fluid nodes, 0 elsewhere
-    std::vector<double> mu_;              // per stress point of the fluid [Pa s]
+    FlowViscosity<Dim> viscosity_;
     std::vector<double> viscousDiagonal_; // about that of the viscous matrix, where it is applied
     double massFactor_;
     std::vector<double> bulk_;            // theta times bulkRule's value per stress point [Pa s], empty without

@@ -48,7 +48,7 @@ struct RemeshingControls {
         v("cornerDistance", cornerDistance, "-",
           "distance / h at which a node that slides into a corner of the walls is removed", nonNegative);
         v("wallTension", wallTension, "-",
-          "suction / (rho (g h + v^2/2)) at which the contact line lets go of a rigid wall", nonNegative);
+          "suction / (rho (g h + v^2/2) + mu v/h) at which the contact line lets go of a rigid wall", nonNegative);
         v("keepSurface", keepSurface, "-",
           "the moved free surface constrains the triangulation: only contacts and breaks change the volume", any);
         v("distortion", distortion, "-",

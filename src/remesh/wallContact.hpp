@@ -2,6 +2,7 @@
 // Fluid nodes come to rigid walls, slide along them and leave them.
 
 #include "remesh/controls.hpp"
+#include "material/material.hpp"
 #include "mesh/topology.hpp"
 #include "state/state.hpp"
 
@@ -14,11 +15,11 @@ template <int Dim>
 void landOnWalls(const RemeshingControls& controls, const Topology<Dim>& topology, const Points<Dim>& xOld,
                  State<Dim>& state);
 
-/// A sliding node at the contact line with a suction above wallTension rho (g h + v^2/2), v relative to the
-/// wall, or an isolated one that gravity pulls off, is free again.
+/// A sliding node at the contact line with a suction above wallTension (rho (g h + v^2/2) + mu v/h), v relative
+/// to the wall, or an isolated one that gravity pulls off, is free again.
 template <int Dim>
 void releaseFromWalls(const RemeshingControls& controls, const Topology<Dim>& topology, const Vec<Dim>& gravity,
-                      double rho, Nodes<Dim>& nodes);
+                      const ViscousFluid& fluid, Nodes<Dim>& nodes);
 
 /// Does the wall go on at an end of face `w` (its second node: `atEnd`) with the fluid's angle below 180 degrees?
 bool isConcaveEnd(const Topology<2>& topology, const Points<2>& x, int w, bool atEnd);

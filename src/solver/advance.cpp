@@ -67,12 +67,14 @@ Topology<Dim> beginStep(const Problem<Dim>& problem, double dt, State<Dim>& stat
     return topology;
 }
 
+/// The densest fluid of the case.
 template <int Dim>
-double fluidDensity(const Problem<Dim>& problem) {
-    double rho = 0;
+ViscousFluid heaviestFluid(const Problem<Dim>& problem) {
+    ViscousFluid result;
+    result.rho = 0;
     for (const auto& material : problem.materials)
-        if (material.kind == MaterialKind::fluid) rho = std::max(rho, material.fluid.rho);
-    return rho;
+        if (material.kind == MaterialKind::fluid && material.fluid.rho > result.rho) result = material.fluid;
+    return result;
 }
 
 /// The state after a step of report.dt with its new connectivity. Throws FailedStep when it cannot be accepted.
@@ -107,7 +109,7 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, c
 
     try {
         if (problem.conditions.anyMotion()) standOnWalls(state.mesh, wallPatches(kinds), state.nodes);
-        releaseFromWalls<Dim>(controls.remeshing, topology, problem.gravity, fluidDensity<Dim>(problem), state.nodes);
+        releaseFromWalls<Dim>(controls.remeshing, topology, problem.gravity, heaviestFluid<Dim>(problem), state.nodes);
         state.ledger["released"] += cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes) - moved;
         landOnWalls<Dim>(controls.remeshing, topology, xOld, state);
         report.returned = returnPenetrating<Dim>(topology, controls.remeshing.wallDistance, state);

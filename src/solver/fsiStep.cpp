@@ -85,6 +85,15 @@ StepFailure notConverged(const StepReport& report, const std::vector<double>& dp
                        {nodes.id[i]});
 }
 
+/// Root mean square of 2 mu |d| over the cells: a pressure that is small beside the viscous stress need not be exact.
+template <int Dim>
+double viscousScale(const Patches<Dim>& fluid, const std::vector<double>& mu, const Points<Dim>& v) {
+    double sum = 0;
+    const auto L = elementGradient<Dim>(fluid, v);
+    for (int e = 0; e < fluid.nCells(); ++e) sum += mu[e] * mu[e] * (L[e] + L[e].transpose()).squaredNorm();
+    return fluid.nCells() > 0 ? std::sqrt(sum / fluid.nCells()) : 0;
+}
+
 /// Largest density times g times the mean node distance: the pressure that one layer of fluid makes. The part of the
 /// velocity keeps the round-off of a flow without gravity or pressure from counting as a change.
 template <int Dim>
@@ -121,16 +130,16 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
     auto mass = nodalMass<Dim>(problem, mesh, fluid, massOfSolid);
     auto dofs = solidDofs<Dim>(topology.solid, constraints);
     auto solidA = solidMatrix<Dim>(problem, controls.solid, mesh.solid, solid, dofs, mass, old.h, newmark);
-    auto mu = pointViscosity<Dim>(problem, mesh.fluid, fluid, old.v);
-    MomentumSystem<Dim> momentum(problem, controls.momentum, mesh, topology, constraints, fluid, mu, mass,
+    auto viscosity = flowViscosity<Dim>(problem, mesh.fluid, fluid, old.v);
+    MomentumSystem<Dim> momentum(problem, controls.momentum, mesh, topology, constraints, fluid, viscosity, mass,
                                  std::move(dofs), std::move(solidA), newmark);
-    auto cellMu = fromPoints<Dim>(fluid, mu);
+    auto cellMu = fromPoints<Dim>(fluid, viscosity.mu);
     const auto tau = stabilisation<Dim>(problem, mesh.fluid, fluid, cellMu, old.v, dt);
     ContinuitySystem<Dim> continuity(problem, controls.continuity, mesh.fluid, topology, constraints, fluid, tau,
                                            old.x, momentum.solidDofs(), momentum.solidMatrix(), newmark);
 
     Convergence convergence(controls.convergence, problem.gravity.norm() * dt,
-                            pressureScale<Dim>(problem, mesh, old));
+                            pressureScale<Dim>(problem, mesh, old) + viscousScale<Dim>(fluid, cellMu, old.v));
     StepReport report;
     std::vector<double> dp;
     SolidStress<Dim> stressOfSolid;
@@ -147,15 +156,15 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
         mass = nodalMass<Dim>(problem, mesh, fluid, massOfSolid);
         stressOfSolid = solidStress<Dim>(problem, controls.solid, mesh.solid, solidGradients, old, trial, dt);
         if (!isNewtonian<Dim>(problem)) {
-            mu = pointViscosity<Dim>(problem, mesh.fluid, fluid, trial.v);
-            cellMu = fromPoints<Dim>(fluid, mu);
-            momentum.setViscosity(mu);
+            viscosity = flowViscosity<Dim>(problem, mesh.fluid, fluid, trial.v);
+            cellMu = fromPoints<Dim>(fluid, viscosity.mu);
+            momentum.setViscosity(viscosity);
         }
         auto external = tractionForce<Dim>(mesh, problem.conditions, trial.x);
         addWallFriction<Dim>(problem, mesh.fluid, topology, trial, external);
         const auto R_m = momentumResidual<Dim>(
             mass, trial.a, problem.gravity, fluid,
-            fluidStress<Dim>(fluid, mu, trial.v, trial.p), solid,
+            fluidStress<Dim>(fluid, viscosity.mu, trial.v, trial.p), solid,
             solidElementStress<Dim>(problem, controls.solid, mesh.solid, solidGradients, solid, stressOfSolid,
                                     trial),
             external);

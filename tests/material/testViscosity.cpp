@@ -52,6 +52,15 @@ TEST(Viscosity, stressGrowsWithTheRate) {
     }
 }
 
+TEST(Viscosity, slopeIsTheDerivative) {
+    for (const double n : {0.4, 1.0, 1.7})
+        for (const double g : {1e-6, 1e-3, 0.02, 1.0, 30.0}) {
+            const auto fluid = herschelBulkley(50, 7, n, 100);
+            const double eps = 1e-4 * g, slope = (viscosity(fluid, g + eps) - viscosity(fluid, g - eps)) / (2 * eps);
+            EXPECT_NEAR(viscositySlope(fluid, g), slope, 1e-4 * std::abs(slope) + 1e-6) << n << " " << g;
+        }
+}
+
 // g of simple shear is the shear; turning makes none; stretching by e in the plane: 2 e.
 TEST(ShearRate, ofSimpleFlows) {
     Tensor<2> L;

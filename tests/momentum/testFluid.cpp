@@ -25,10 +25,10 @@ struct Fluid {
         return f;
     }
     Points<2> viscous(const Points<2>& v, const std::vector<double>& bulk = {}) const {
-        return force(fluidTangentStress<2>(patches, viscosities(), v, bulk));
+        return force(fluidTangentStress<2>(patches, {viscosities(), {}, {}}, v, bulk));
     }
     std::vector<double> viscosities() const {
-        return pointViscosity<2>(c.problem, c.state.mesh.fluid, patches, c.state.nodes.v);
+        return flowViscosity<2>(c.problem, c.state.mesh.fluid, patches, c.state.nodes.v).mu;
     }
     double area() const {
         double sum = 0;
@@ -89,6 +89,36 @@ TEST(ViscousOperator, isTheDerivativeOfItsResidual) {
     const auto exact = f.viscous(w);
     for (int i = 0; i < f.n; ++i) EXPECT_LT(((a[i] - b[i]) / (2 * eps) - exact[i]).norm(), 1e-9);
     EXPECT_GT(largest(exact), 1.0);
+}
+
+// Herschel-Bulkley: the matrix is the derivative of the stress, with both integrations.
+TEST(ViscousOperator, ofAFluidWithYieldStressIsTheDerivative) {
+    for (const Integration scheme : {Integration::nodal, Integration::elemental}) {
+        Fluid f;
+        f.patches.scheme = scheme;
+        for (auto& m : f.c.problem.materials) {
+            m.fluid.yieldStress = 20;
+            m.fluid.exponent = 0.6;
+            m.fluid.regularisation = 0.5;
+        }
+        const auto& cells = f.c.state.mesh.fluid;
+        const auto v = randomVectors(f.n, 1), w = randomVectors(f.n, 2);
+        const std::vector<double> p(f.n, 0.0);
+        const double eps = 1e-4;
+        Points<2> plus = v, minus = v;
+        for (int i = 0; i < f.n; ++i) {
+            plus[i] += eps * w[i];
+            minus[i] -= eps * w[i];
+        }
+        const auto forceAt = [&](const Points<2>& u) {
+            return f.force(fluidStress<2>(f.patches, flowViscosity<2>(f.c.problem, cells, f.patches, u).mu, u, p));
+        };
+        const auto a = forceAt(plus), b = forceAt(minus);
+        const auto exact = f.force(
+            fluidTangentStress<2>(f.patches, flowViscosity<2>(f.c.problem, cells, f.patches, v), w, {}));
+        for (int i = 0; i < f.n; ++i) EXPECT_LT(((a[i] - b[i]) / (2 * eps) - exact[i]).norm(), 1e-5 * largest(exact));
+        EXPECT_GT(largest(exact), 0.1);
+    }
 }
 
 TEST(FluidStress, uniformPressureActsAsOutwardNormalLoad) {

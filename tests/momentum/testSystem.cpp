@@ -32,8 +32,8 @@ TEST(MomentumSystem, solutionBalancesTheResidual) {
         MomentumControls controls;
         controls.theta = theta;
         controls.linearTolerance = 1e-13;
-        const auto mu = pointViscosity<2>(c.problem, c.state.mesh.fluid, fluid, c.state.nodes.v);
-        MomentumSystem<2> system(c.problem, controls, c.state.mesh, topology, constraints, fluid, mu, mass, dofs, A, newmark);
+        const auto viscosity = flowViscosity<2>(c.problem, c.state.mesh.fluid, fluid, c.state.nodes.v);
+        MomentumSystem<2> system(c.problem, controls, c.state.mesh, topology, constraints, fluid, viscosity, mass, dofs, A, newmark);
 
         Points<2> R = randomVectors(n, 4);
         const auto dv = system.solve(R);
@@ -43,7 +43,7 @@ TEST(MomentumSystem, solutionBalancesTheResidual) {
         if (theta > 0)
             for (double volume : fluid.volume) bulk.push_back(theta * 1000 * volume / newmark.dt);
         Points<2> sum = R;
-        addInternalForce<2>(fluid, fluidTangentStress<2>(fluid, mu, dv, bulk), sum);
+        addInternalForce<2>(fluid, fluidTangentStress<2>(fluid, viscosity, dv, bulk), sum);
         Eigen::VectorXd u(dofs.n);
         for (std::size_t k = 0; k < dofs.node.size(); ++k) u.segment<2>(dofs.first[dofs.node[k]]) = dv[dofs.node[k]];
         const Eigen::VectorXd Au = A.multiply(u);  // carries the fluid's mass at the interface too
