@@ -91,13 +91,13 @@ int run(const Options& options) {
     RunSummary summary;
     const double clockStart = clockNow(), timeStart = state.time.value;
     while (clock.running(state.time)) {
-        const auto [courantMax, courantMean] = courantRate(state);
-        const double dt = clock.deltaT(state.time, courantMax);
+        const CourantRate rate = courantRate(state);
+        const double dt = clock.deltaT(state.time, rate.largest, rate.relative);
         const AdvanceReport report = advanceOrSave(problem, controls, theCase, clock, state, dt);
         state.time = clock.advance(state.time, report.dt);
         summary.add(report);
 
-        std::cout << courantLines(courantMean, courantMax, report.dt) << "Time = " << clock.name(state.time) << "\n\n"
+        std::cout << courantLines(rate, report.dt) << "Time = " << clock.name(state.time) << "\n\n"
                   << stepLines(report, state, firstVolume);
         functions.execute(state);
         state.memory = functions.memory();

@@ -27,7 +27,8 @@ struct ControlDict {
     int timePrecision = 6;
     bool runTimeModifiable = true;
     bool adjustTimeStep = false;
-    double maxCo = 0.25;
+    double maxCo = 0.4;
+    double maxRelativeCo = 0.2;
     double maxDeltaT = 1e300;
 
     template <class Visitor>
@@ -55,8 +56,9 @@ struct ControlDict {
         v("timePrecision", timePrecision, "digits", "digits of time names; raised when two would be equal",
           between(1, 17));
         v("runTimeModifiable", runTimeModifiable, "-", "read this file again when it changes during the run");
-        v("adjustTimeStep", adjustTimeStep, "-", "choose the time step by maxCo");
-        v("maxCo", maxCo, "-", "Courant number that the step must not exceed", positive);
+        v("adjustTimeStep", adjustTimeStep, "-", "choose the time step by maxCo and maxRelativeCo");
+        v("maxCo", maxCo, "-", "largest |v| deltaT/h of a node", positive);
+        v("maxRelativeCo", maxRelativeCo, "-", "largest |v_I - v_J| deltaT/h of two neighbours in the fluid", positive);
         v("maxDeltaT", maxDeltaT, "s", "largest time step", positive);
     }
 };

@@ -1,6 +1,7 @@
 #include "solver/advance.hpp"
 
 #include <chrono>
+#include <cmath>
 
 #include "mesh/standing.hpp"
 #include "remesh/lostVolume.hpp"
@@ -137,14 +138,23 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, c
 }  // namespace
 
 template <int Dim>
-std::pair<double, double> courantRate(const State<Dim>& state) {
-    double largest = 0, sum = 0;
-    for (int i = 0; i < state.nodes.size(); ++i) {
-        const double rate = state.nodes.v[i].norm() / state.nodes.h[i];
-        largest = std::max(largest, rate);
-        sum += rate;
+CourantRate courantRate(const State<Dim>& state) {
+    const auto& nodes = state.nodes;
+    CourantRate rate;
+    for (int i = 0; i < nodes.size(); ++i) {
+        const double own = nodes.v[i].norm() / nodes.h[i];
+        rate.largest = std::max(rate.largest, own);
+        rate.mean += own / nodes.size();
     }
-    return {largest, state.nodes.size() > 0 ? sum / state.nodes.size() : 0};
+    double squared = 0;
+    for (const auto& s : state.mesh.fluid.nodes)
+        for (int a = 1; a <= Dim; ++a)
+            for (int b = 0; b < a; ++b) {
+                const double h = std::min(nodes.h[s[a]], nodes.h[s[b]]);
+                squared = std::max(squared, (nodes.v[s[a]] - nodes.v[s[b]]).squaredNorm() / (h * h));
+            }
+    rate.relative = std::sqrt(squared);
+    return rate;
 }
 
 template <int Dim>
@@ -182,7 +192,7 @@ void startConsistently(const Problem<Dim>& problem, const Controls& controls, St
 }
 
 #define PFEM_INSTANTIATE(D)                                                                                  \
-    template std::pair<double, double> courantRate<D>(const State<D>&);                                      \
+    template CourantRate courantRate<D>(const State<D>&);                                                    \
     template AdvanceReport advance<D>(const Problem<D>&, const Controls&, State<D>&, double);                \
     template void startConsistently<D>(const Problem<D>&, const Controls&, State<D>&, double);
 PFEM_INSTANTIATE(2)

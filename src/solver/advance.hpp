@@ -22,10 +22,13 @@ struct AdvanceReport {
 template <int Dim>
 AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, State<Dim>& state, double dt);
 
-/// Largest |v|/h over all nodes [1/s]: times dt the Courant number. Also its mean. Particles in free flight count: they
-/// are the first to hit something.
+/// Rates which times dt are Courant numbers [1/s].
+struct CourantRate {
+    double largest = 0, mean = 0;  // |v|/h of all nodes; particles in free flight count: they are the first to hit something
+    double relative = 0;           // largest |v_I - v_J|/h of neighbours in the fluid: how fast triangles change
+};
 template <int Dim>
-std::pair<double, double> courantRate(const State<Dim>& state);
+CourantRate courantRate(const State<Dim>& state);
 
 /// p and a at the very start of a run that agree with the forces, and v that is free of divergence. Throws StepFailure where they cannot be found.
 template <int Dim>

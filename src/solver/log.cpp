@@ -6,8 +6,9 @@
 
 namespace pfem {
 
-std::string courantLines(double mean, double max, double dt) {
-    return fmt::format("Courant Number mean: {:.6g} max: {:.6g}\ndeltaT = {:.6g}\n", mean * dt, max * dt, dt);
+std::string courantLines(const CourantRate& rate, double dt) {
+    return fmt::format("Courant Number mean: {:.6g} max: {:.6g} relative: {:.6g}\ndeltaT = {:.6g}\n", rate.mean * dt,
+                       rate.largest * dt, rate.relative * dt, dt);
 }
 
 template <int Dim>

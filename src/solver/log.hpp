@@ -9,7 +9,7 @@
 namespace pfem {
 
 /// "Courant Number mean: ... max: ..." and "deltaT = ...".
-std::string courantLines(double mean, double max, double dt);
+std::string courantLines(const CourantRate& rate, double dt);
 
 /// The solves, remeshing and, where there is fluid, the volume of one step.
 template <int Dim>

@@ -24,7 +24,7 @@ TestCase damBreak(const std::string& condition) {
 
 void advanceTo(TestCase& c, double time, const std::function<void(const AdvanceReport&)>& check = {}) {
     while (c.state.time.value < time) {
-        const double rate = courantRate<2>(c.state).first;
+        const double rate = courantRate<2>(c.state).largest;
         const auto report = c.step(std::min(5e-4, 0.2 / (rate + 1e-300)));
         if (check) check(report);
     }
