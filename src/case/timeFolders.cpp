@@ -63,8 +63,12 @@ std::string timeName(double value, const std::string& format, int precision) {
 }
 
 int precisionToDistinguish(double a, double b, const std::string& format, int precision) {
-    while (precision < 17 && a != b && timeName(a, format, precision) == timeName(b, format, precision))
-        ++precision;
+    const auto isRough = [&] {  // a name rounded up by much of the step could overtake the next one
+        const std::string name = timeName(b, format, precision);
+        return timeName(a, format, precision) == name ||
+               std::abs(std::strtod(name.c_str(), nullptr) - b) > std::abs(b - a) / 300;
+    };
+    while (precision < 17 && a != b && isRough()) ++precision;
     return precision;
 }
 

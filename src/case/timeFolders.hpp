@@ -34,7 +34,8 @@ std::optional<double> asNumber(const std::string& text);
 /// "general", "fixed" or "scientific", as std::ostream prints: 0.05, 0.1, 1e-06.
 std::string timeName(double value, const std::string& format = "general", int precision = 6);
 
-/// The smallest precision from `precision` to 17 at which the two times have different names.
+/// The smallest precision from `precision` to 17 at which two times that follow each other have different names and the
+/// name of b is nearer to it than 1/300 of their distance: so the names of times stay in their order.
 int precisionToDistinguish(double a, double b, const std::string& format, int precision);
 
 }  // namespace pfem

@@ -28,10 +28,12 @@ Points<Dim> supportForces(const Problem<Dim>& problemOfRun, const Controls& cont
             ? solidStress<Dim>(problem, controls.solid, mesh.solid, gradients, nodes, nodes, 0)
             : SolidStress<Dim>{storedAtPoints<Dim>(solid, nodes.sigma, mesh.solid.sigma), {}};
     const auto mu = flowViscosity<Dim>(problem, mesh.fluid, fluid, nodes.v).mu;
+    const auto viscous = viscousForce<Dim>(fluid, mu, nodes.v);
+    auto external = tractionForce<Dim>(mesh, problem.conditions, nodes.x);
+    for (int i = 0; i < nodes.size(); ++i) external[i] -= viscous[i];
     return momentumResidual<Dim>(
-        mass, nodes.a, problem.gravity, fluid, fluidStress<Dim>(fluid, mu, nodes.v, nodes.p),
-        solid, solidElementStress<Dim>(problem, controls.solid, mesh.solid, gradients, solid, stress, nodes),
-        tractionForce<Dim>(mesh, problem.conditions, nodes.x));
+        mass, nodes.a, problem.gravity, fluid, nodes.p, solid,
+        solidElementStress<Dim>(problem, controls.solid, mesh.solid, gradients, solid, stress, nodes), external);
 }
 
 template Points<2> supportForces<2>(const Problem<2>&, const Controls&, const State<2>&);

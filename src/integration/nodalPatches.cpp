@@ -85,6 +85,19 @@ void addInternalForce(const Patches<Dim>& patches, const std::vector<Tensor<Dim>
         }
 }
 
+template <int Dim>
+void addPressureForce(const Patches<Dim>& patches, const std::vector<double>& p, Points<Dim>& force) {
+    const NodeToCells& around = *patches.around;
+#pragma omp parallel for schedule(static) if (patches.nCells() > shortLoop)
+    for (int i = 0; i < patches.nNodes(); ++i)
+        for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
+            const int e = around.cell[s];
+            double mean = 0;
+            for (int node : patches.cell(e)) mean += p[node];
+            force[i] -= patches.element[e].measure * mean / (Dim + 1) * patches.element[e].gradN[around.corner[s]];
+        }
+}
+
 #define PFEM_INSTANTIATE(D)                                                                                  \
     template Patches<D> makePatches<D>(const std::vector<Simplex<D>>&, const NodeToCells&, const Points<D>&,  \
                                        Integration);                                                         \
@@ -95,6 +108,7 @@ void addInternalForce(const Patches<Dim>& patches, const std::vector<Tensor<Dim>
     template std::vector<Tensor<D>> elementMean<D>(const Patches<D>&, const std::vector<Tensor<D>>&);        \
     template std::vector<Stress<D>> elementMean<D>(const Patches<D>&, const std::vector<Stress<D>>&);        \
     template std::vector<double> elementMean<D>(const Patches<D>&, const std::vector<double>&);              \
+    template void addPressureForce<D>(const Patches<D>&, const std::vector<double>&, Points<D>&);            \
     template void addInternalForce<D>(const Patches<D>&, const std::vector<Tensor<D>>&, Points<D>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)

@@ -51,6 +51,10 @@ std::vector<Value> nodalMean(const Patches<Dim>& patches, const std::vector<Valu
 template <int Dim>
 void addInternalForce(const Patches<Dim>& patches, const std::vector<Tensor<Dim>>& stress, Points<Dim>& force);
 
+/// force_J -= sum_e |e| p_e grad N_J with p_e the mean of the cell's nodes: the force of a pressure.
+template <int Dim>
+void addPressureForce(const Patches<Dim>& patches, const std::vector<double>& p, Points<Dim>& force);
+
 /// Element stress that makes addInternalForce equal to sum_I Omega_I sigma_I G_IJ: the mean of the cell's nodes.
 /// Value: Tensor, Stress or double.
 template <int Dim, class Value>

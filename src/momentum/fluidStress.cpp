@@ -58,18 +58,15 @@ std::vector<Tensor<Dim>> fluidTangentStress(const Patches<Dim>& patches, const F
 }
 
 template <int Dim>
-std::vector<Tensor<Dim>> fluidStress(const Patches<Dim>& patches, const std::vector<double>& mu, const Points<Dim>& v,
-                                     const std::vector<double>& p) {
-    auto stress = fluidTangentStress<Dim>(patches, {mu, {}, {}}, v, {});
-#pragma omp parallel for schedule(static) if (patches.nCells() > shortLoop)
-    for (int e = 0; e < patches.nCells(); ++e) stress[e] -= cellMean<Dim>(patches, p, e) * Tensor<Dim>::Identity();
-    return stress;
+Points<Dim> viscousForce(const Patches<Dim>& patches, const std::vector<double>& mu, const Points<Dim>& v) {
+    Points<Dim> force(patches.nNodes(), Vec<Dim>::Zero());
+    addInternalForce<Dim>(patches, fluidTangentStress<Dim>(patches, {mu, {}, {}}, v, {}), force);
+    return force;
 }
 
 template bool isNewtonian<2>(const Problem<2>&);
 template FlowViscosity<2> flowViscosity<2>(const Problem<2>&, const Cells<2>&, const Patches<2>&, const Points<2>&);
-template std::vector<Tensor<2>> fluidStress<2>(const Patches<2>&, const std::vector<double>&, const Points<2>&,
-                                               const std::vector<double>&);
+template Points<2> viscousForce<2>(const Patches<2>&, const std::vector<double>&, const Points<2>&);
 template std::vector<Tensor<2>> fluidTangentStress<2>(const Patches<2>&, const FlowViscosity<2>&, const Points<2>&,
                                                       const std::vector<double>&);
 

@@ -23,13 +23,11 @@ template <int Dim>
 FlowViscosity<Dim> flowViscosity(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
                                  const Points<Dim>& v);
 
-/// Element stress with the force of the points' sigma = 2 mu d' - p I, d' = d - tr(d)/3 I. The nodal pressure acts by its
-/// mean over each element with both integrations.
+/// Nodal force of the points' viscous stress sigma = 2 mu d', d' = d - tr(d)/3 I [N/m (2D), N].
 template <int Dim>
-std::vector<Tensor<Dim>> fluidStress(const Patches<Dim>& patches, const std::vector<double>& mu, const Points<Dim>& v,
-                                     const std::vector<double>& p);
+Points<Dim> viscousForce(const Patches<Dim>& patches, const std::vector<double>& mu, const Points<Dim>& v);
 
-/// The change of that stress with dv, without pressure, plus `bulk` * tr(d) I per stress point (empty: none): the operator
+/// Element stress with the force of the change of that stress with dv, plus `bulk` * tr(d) I per stress point (empty: none): the operator
 /// of the momentum matrix (42)-(43). With a viscosity that depends on the flow: 2 mu dd' + softening (d' : dd') d'.
 template <int Dim>
 std::vector<Tensor<Dim>> fluidTangentStress(const Patches<Dim>& patches, const FlowViscosity<Dim>& viscosity,

@@ -1,5 +1,7 @@
 #include "momentum/mass.hpp"
 
+#include <algorithm>
+
 #include "base/parallel.hpp"
 
 namespace pfem {
@@ -8,6 +10,12 @@ template <int Dim>
 std::vector<double> fluidMass(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches) {
     const NodeToCells& around = *patches.around;
     std::vector<double> mass(patches.nNodes(), 0.0);
+    const auto isFluid = [](const Material& m) { return m.kind == MaterialKind::fluid; };
+    if (std::count_if(problem.materials.begin(), problem.materials.end(), isFluid) == 1) {
+        const double rho = std::find_if(problem.materials.begin(), problem.materials.end(), isFluid)->fluid.rho;
+        for (std::size_t i = 0; i < mass.size(); ++i) mass[i] = rho * patches.volume[i];
+        return mass;
+    }
 #pragma omp parallel for schedule(static) if (cells.size() > shortLoop)
     for (int i = 0; i < patches.nNodes(); ++i) {
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {

@@ -45,7 +45,7 @@ std::vector<double> viscousDiagonal(const Patches<Dim>& fluid, const std::vector
 }
 
 /// Largest ratio of the viscous matrix's diagonal to that of the mass.
-double viscousNumber(const std::vector<double>& viscous, const std::vector<double>& massDiagonal) {
+double largestRatio(const std::vector<double>& viscous, const std::vector<double>& massDiagonal) {
     double largest = 0;
     for (std::size_t i = 0; i < viscous.size(); ++i)
         if (massDiagonal[i] > 0) largest = std::max(largest, viscous[i] / massDiagonal[i]);
@@ -100,7 +100,8 @@ template <int Dim>
 void MomentumSystem<Dim>::setViscosity(FlowViscosity<Dim> viscosity) {
     viscosity_ = std::move(viscosity);
     viscousDiagonal_ = viscousDiagonal<Dim>(fluid_, viscosity_.mu);
-    viscous_ = controls_.theta > 0 || viscousNumber(viscousDiagonal_, diagonal_) > controls_.viscousLimit;
+    viscousNumber_ = largestRatio(viscousDiagonal_, diagonal_);
+    viscous_ = controls_.theta > 0 || viscousNumber_ > controls_.viscousLimit;
 }
 
 template <int Dim>

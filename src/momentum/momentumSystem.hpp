@@ -29,6 +29,9 @@ public:
     /// dv of all nodes for the right-hand side -R; zero where a velocity is prescribed and on isolated nodes.
     Points<Dim> solve(const Points<Dim>& residual);
 
+    /// Largest ratio of viscous forces to inertia, 2 mu dt/(rho h^2).
+    double viscousNumber() const { return viscousNumber_; }
+
     int linearIterations() const { return iterations_; }  // of the last solve
     const SolidDofs<Dim>& solidDofs() const { return dofs_; }
     const SymmetricMatrix& solidMatrix() const { return solid_; }
@@ -52,6 +55,7 @@ private:
     std::vector<double> viscousDiagonal_; // about that of the viscous matrix, where it is applied
     double massFactor_;
     std::vector<double> bulk_;            // theta times bulkRule's value per stress point [Pa s], empty without
+    double viscousNumber_ = 0;
     bool viscous_ = false;
     int iterations_ = 0;
 };

@@ -16,19 +16,18 @@ Points<Dim> tractionForce(const Mesh<Dim>& mesh, const BoundaryConditions<Dim>& 
 
 template <int Dim>
 Points<Dim> momentumResidual(const std::vector<double>& mass, const Points<Dim>& a, const Vec<Dim>& gravity,
-                             const Patches<Dim>& fluid, const std::vector<Tensor<Dim>>& fluidStress,
-                             const Patches<Dim>& solid, const std::vector<Tensor<Dim>>& solidStress,
-                             const Points<Dim>& traction) {
+                             const Patches<Dim>& fluid, const std::vector<double>& p, const Patches<Dim>& solid,
+                             const std::vector<Tensor<Dim>>& solidStress, const Points<Dim>& external) {
     Points<Dim> R(a.size());
-    for (std::size_t i = 0; i < a.size(); ++i) R[i] = mass[i] * (a[i] - gravity) - traction[i];
-    addInternalForce<Dim>(fluid, fluidStress, R);
+    for (std::size_t i = 0; i < a.size(); ++i) R[i] = mass[i] * (a[i] - gravity) - external[i];
+    addPressureForce<Dim>(fluid, p, R);
     addInternalForce<Dim>(solid, solidStress, R);
     return R;
 }
 
 template Points<2> tractionForce<2>(const Mesh<2>&, const BoundaryConditions<2>&, const Points<2>&);
-template Points<2> momentumResidual<2>(const std::vector<double>&, const Points<2>&, const Vec<2>&,
-                                       const Patches<2>&, const std::vector<Tensor<2>>&, const Patches<2>&,
-                                       const std::vector<Tensor<2>>&, const Points<2>&);
+template Points<2> momentumResidual<2>(const std::vector<double>&, const Points<2>&, const Vec<2>&, const Patches<2>&,
+                                       const std::vector<double>&, const Patches<2>&, const std::vector<Tensor<2>>&,
+                                       const Points<2>&);
 
 }  // namespace pfem

@@ -143,6 +143,7 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
     StepReport report;
     std::vector<double> dp;
     SolidStress<Dim> stressOfSolid;
+    Points<Dim> viscous;
     Anderson pressureIteration(controls.convergence.accelerationDepth);
     moveNodes<Dim>(newmark, constraints, topology, problem.gravity, old, trial);
     const int waiting = collapses<Dim>(fluid, trial.x) ? 2 : 0;
@@ -160,11 +161,14 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
             cellMu = fromPoints<Dim>(fluid, viscosity.mu);
             momentum.setViscosity(viscosity);
         }
+        // a viscous force that can hardly change any more stays as it is
+        if (report.iterations == 0 || momentum.viscousNumber() * report.finalU > 0.1 * controls.convergence.tolU)
+            viscous = viscousForce<Dim>(fluid, viscosity.mu, trial.v);
         auto external = tractionForce<Dim>(mesh, problem.conditions, trial.x);
         addWallFriction<Dim>(problem, mesh.fluid, topology, trial, external);
+        for (int i = 0; i < trial.size(); ++i) external[i] -= viscous[i];
         const auto R_m = momentumResidual<Dim>(
-            mass, trial.a, problem.gravity, fluid,
-            fluidStress<Dim>(fluid, viscosity.mu, trial.v, trial.p), solid,
+            mass, trial.a, problem.gravity, fluid, trial.p, solid,
             solidElementStress<Dim>(problem, controls.solid, mesh.solid, solidGradients, solid, stressOfSolid,
                                     trial),
             external);

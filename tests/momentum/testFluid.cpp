@@ -77,15 +77,14 @@ TEST(ViscousOperator, powerOfUniformRates) {
 TEST(ViscousOperator, isTheDerivativeOfItsResidual) {
     Fluid f;
     const auto v = randomVectors(f.n, 1), w = randomVectors(f.n, 2);
-    const auto p = randomNumbers(f.n, 3);
     const double eps = 1e-3;
     Points<2> plus = v, minus = v;
     for (int i = 0; i < f.n; ++i) {
         plus[i] += eps * w[i];
         minus[i] -= eps * w[i];
     }
-    const auto a = f.force(fluidStress<2>(f.patches, f.viscosities(), plus, p));
-    const auto b = f.force(fluidStress<2>(f.patches, f.viscosities(), minus, p));
+    const auto a = viscousForce<2>(f.patches, f.viscosities(), plus);
+    const auto b = viscousForce<2>(f.patches, f.viscosities(), minus);
     const auto exact = f.viscous(w);
     for (int i = 0; i < f.n; ++i) EXPECT_LT(((a[i] - b[i]) / (2 * eps) - exact[i]).norm(), 1e-9);
     EXPECT_GT(largest(exact), 1.0);
@@ -103,7 +102,6 @@ TEST(ViscousOperator, ofAFluidWithYieldStressIsTheDerivative) {
         }
         const auto& cells = f.c.state.mesh.fluid;
         const auto v = randomVectors(f.n, 1), w = randomVectors(f.n, 2);
-        const std::vector<double> p(f.n, 0.0);
         const double eps = 1e-4;
         Points<2> plus = v, minus = v;
         for (int i = 0; i < f.n; ++i) {
@@ -111,7 +109,7 @@ TEST(ViscousOperator, ofAFluidWithYieldStressIsTheDerivative) {
             minus[i] -= eps * w[i];
         }
         const auto forceAt = [&](const Points<2>& u) {
-            return f.force(fluidStress<2>(f.patches, flowViscosity<2>(f.c.problem, cells, f.patches, u).mu, u, p));
+            return viscousForce<2>(f.patches, flowViscosity<2>(f.c.problem, cells, f.patches, u).mu, u);
         };
         const auto a = forceAt(plus), b = forceAt(minus);
         const auto exact = f.force(
@@ -121,11 +119,11 @@ TEST(ViscousOperator, ofAFluidWithYieldStressIsTheDerivative) {
     }
 }
 
-TEST(FluidStress, uniformPressureActsAsOutwardNormalLoad) {
+TEST(PressureForce, uniformPressureActsAsOutwardNormalLoad) {
     Fluid f;
     const std::vector<double> p(f.n, 2.5);
-    const auto force = f.force(
-        fluidStress<2>(f.patches, f.viscosities(), Points<2>(f.n, Vec<2>::Zero()), p));
+    Points<2> force(f.n, Vec<2>::Zero());
+    addPressureForce<2>(f.patches, p, force);
     // the internal force is minus the push of the pressure on its boundary
     Points<2> expected(f.n, Vec<2>::Zero());
     for (const auto& face : f.topology.faces)

@@ -97,7 +97,7 @@ TEST(MomentumResidual, weightTractionAndInertia) {
     const auto solid = makePatches<2>(c.state.mesh.solid.nodes, topology.solid, nodes.x);
     const auto mass = solidMass<2>(c.problem, c.state.mesh.solid, nodes.X);
     const Vec<2> a(0.5, 0.25), g(0, -9.81);
-    const auto R = momentumResidual<2>(mass, Points<2>(nodes.size(), a), g, fluid, {}, solid,
+    const auto R = momentumResidual<2>(mass, Points<2>(nodes.size(), a), g, fluid, nodes.p, solid,
                                        std::vector<Tensor<2>>(solid.nCells(), Tensor<2>::Zero()), traction);
     Vec<2> sum = Vec<2>::Zero();
     for (const auto& r : R) sum += r;
