@@ -95,7 +95,7 @@ int run(const Options& options) {
         const double dt = clock.deltaT(state.time, rate.largest, rate.relative);
         const AdvanceReport report = advanceOrSave(problem, controls, theCase, clock, state, dt);
         state.time = clock.advance(state.time, report.dt);
-        summary.add(report);
+        summary.add(report, state.mesh.fluid.size() + state.mesh.solid.size());
 
         std::cout << courantLines(rate, report.dt) << "Time = " << clock.name(state.time) << "\n\n"
                   << stepLines(report, state, firstVolume);

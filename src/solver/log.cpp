@@ -1,10 +1,21 @@
 #include "solver/log.hpp"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 
 namespace pfem {
+
+namespace {
+
+/// The most memory that the program has had [MB].
+double peakMemory() {
+    rusage usage{};
+    return getrusage(RUSAGE_SELF, &usage) == 0 ? static_cast<double>(usage.ru_maxrss) / 1024 : 0;
+}
+
+}  // namespace
 
 std::string courantLines(const CourantRate& rate, double dt) {
     return fmt::format("Courant Number mean: {:.6g} max: {:.6g} relative: {:.6g}\ndeltaT = {:.6g}\n", rate.mean * dt,
@@ -39,7 +50,8 @@ std::string timeLines(double cpu, double clock, double fraction) {
                        cpu, clock, 100 * fraction, left);
 }
 
-void RunSummary::add(const AdvanceReport& report) {
+void RunSummary::add(const AdvanceReport& report, int triangles) {
+    triangles_ += triangles;
     iterations_.push_back(report.step.iterations);
     rejected_ += report.rejected;
     step_ += report.seconds[0];
@@ -53,9 +65,11 @@ std::string RunSummary::text(double clock) const {
     const double steps = static_cast<double>(sorted.size());
     const auto share = [&](double seconds) { return 100 * seconds / std::max(clock, 1e-9); };
     return fmt::format("Summary: {} steps, {} rejected ({:.2f} %), iterations median {}, largest {}\n"
-                       "         {:.1f} ms per step: equations {:.0f} %, remeshing {:.0f} %, output and the rest {:.0f} %\n\n",
+                       "         {:.1f} ms per step: equations {:.0f} %, remeshing {:.0f} %, output and the rest {:.0f} %\n"
+                       "         {:.0f} triangles on average, {:.2f} microseconds per triangle and step, at most {:.0f} MB of memory\n\n",
                        sorted.size(), rejected_, 100 * rejected_ / steps, sorted[sorted.size() / 2], sorted.back(),
-                       1000 * clock / steps, share(step_), share(remeshing_), share(clock - step_ - remeshing_));
+                       1000 * clock / steps, share(step_), share(remeshing_), share(clock - step_ - remeshing_),
+                       triangles_ / steps, 1e6 * clock / std::max(triangles_, 1.0), peakMemory());
 }
 
 template std::string stepLines<2>(const AdvanceReport&, const State<2>&, double);

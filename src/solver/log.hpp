@@ -18,13 +18,15 @@ std::string stepLines(const AdvanceReport& report, const State<Dim>& state, doub
 /// What the whole run did: steps, rejected tries, iterations, wall time by phase.
 class RunSummary {
 public:
-    void add(const AdvanceReport& report);
+    /// `triangles`: of the fluid and the solids after the step.
+    void add(const AdvanceReport& report, int triangles);
     /// `clock`: wall time of the run [s]; what is neither step nor remeshing is output.
     std::string text(double clock) const;
 
 private:
     std::vector<int> iterations_;
     int rejected_ = 0;
+    double triangles_ = 0;  // sum over all steps
     double step_ = 0, remeshing_ = 0;  // [s]
 };
 

@@ -1,0 +1,155 @@
+// What one call of each part of a step costs, on the water column of tutorials/damBreakRigidWall with about N triangles.
+//
+//     benchmarkKernels --benchmark_filter=Pressure
+
+#include <benchmark/benchmark.h>
+
+#include <filesystem>
+#include <map>
+
+#include "continuity/continuitySystem.hpp"
+#include "continuity/residual.hpp"
+#include "continuity/stabilisation.hpp"
+#include "io/stateFiles.hpp"
+#include "momentum/fluidStress.hpp"
+#include "momentum/mass.hpp"
+#include "remesh/delaunay.hpp"
+#include "remesh/remesh.hpp"
+#include "support/cases.hpp"
+
+using namespace pfem;
+using namespace pfem::test;
+
+namespace {
+
+/// The column at rest, a tenth of a second after its gate has gone: surfaces, walls and velocities as in a run.
+const TestCase& column(int triangles) {
+    static std::map<int, TestCase> known;
+    const auto found = known.find(triangles);
+    if (found != known.end()) return found->second;
+    const double h = std::sqrt(4 * 0.18 / (std::sqrt(3.0) * triangles));
+    TestCase c = makeCase("meshSize " + std::to_string(h) + "; bodies ( water { type fluid; material water; " +
+                              rectangle(0, 0, 0.6, 0.3) + " } ); walls ( tank { points ((0 1) (0 0) (1.61 0) (1.61 1)); } );",
+                          water, "tank { type slip; }");
+    c.start(1e-4);
+    for (int k = 0; k < 20; ++k) c.step(0.05 * h);
+    return known.emplace(triangles, std::move(c)).first->second;
+}
+
+/// What a step has at its start.
+struct Step {
+    const TestCase& c;
+    Topology<2> topology = c.topology();
+    NodeConstraints<2> constraints = c.constraints(topology);
+    const Nodes<2>& nodes = c.state.nodes;
+    const Cells<2>& cells = c.state.mesh.fluid;
+    double dt = 0.1 * nodes.h[0];
+    Patches<2> fluid = makePatches<2>(cells.nodes, topology.fluid, nodes.x);
+    std::vector<double> mu = std::vector<double>(cells.size(), 1e-3);
+    std::vector<double> tau = stabilisation<2>(c.problem, cells, fluid, mu, nodes.v, dt);
+    SolidDofs<2> noSolid = solidDofs<2>(topology.solid, constraints);
+    SymmetricMatrix noMatrix = symmetricPattern({});
+
+    ContinuitySystem<2> system() const {
+        return {c.problem, c.controls.continuity, cells, topology, constraints, fluid, tau, nodes.x, noSolid, noMatrix, Newmark{dt}};
+    }
+};
+
+void perTriangle(benchmark::State& state, const TestCase& c) {
+    state.counters["triangles"] = c.state.mesh.fluid.size();
+    state.counters["time/triangle"] =
+        benchmark::Counter(static_cast<double>(c.state.mesh.fluid.size()),
+                           benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+void Triangulation(benchmark::State& state) {
+    const TestCase& c = column(static_cast<int>(state.range(0)));
+    std::vector<int> active(c.state.nodes.size());
+    for (int i = 0; i < c.state.nodes.size(); ++i) active[i] = i;
+    for (auto _ : state) benchmark::DoNotOptimize(constrainedDelaunay(c.state.nodes.x, active, {}, {}));
+    perTriangle(state, c);
+}
+
+void Remeshing(benchmark::State& state) {
+    const TestCase& c = column(static_cast<int>(state.range(0)));
+    for (auto _ : state) {
+        state.PauseTiming();
+        State<2> copy = c.state;
+        Topology<2> topology = c.topology();
+        state.ResumeTiming();
+        benchmark::DoNotOptimize(remesh<2>(c.controls.remeshing, c.kinds(), std::move(topology), 1e-4, copy));
+    }
+    perTriangle(state, c);
+}
+
+void TopologyOfStep(benchmark::State& state) {
+    const TestCase& c = column(static_cast<int>(state.range(0)));
+    for (auto _ : state) benchmark::DoNotOptimize(c.topology());
+    perTriangle(state, c);
+}
+
+void PatchesOfNodes(benchmark::State& state) {
+    Step s{column(static_cast<int>(state.range(0)))};
+    for (auto _ : state) updatePatches<2>(s.fluid, s.nodes.x);
+    perTriangle(state, s.c);
+}
+
+void ViscousOperator(benchmark::State& state) {
+    const Step s{column(static_cast<int>(state.range(0)))};
+    const std::vector<double> mu(s.nodes.size(), 1e-3);
+    for (auto _ : state) benchmark::DoNotOptimize(viscousForce<2>(s.fluid, mu, s.nodes.v));
+    perTriangle(state, s.c);
+}
+
+void ContinuityResidual(benchmark::State& state) {
+    const Step s{column(static_cast<int>(state.range(0)))};
+    for (auto _ : state)
+        benchmark::DoNotOptimize(continuityResidual<2>(s.c.problem, s.c.controls.continuity, s.cells, s.topology, s.fluid, s.mu,
+                                                       s.tau, s.nodes, s.nodes, s.dt, 0));
+    perTriangle(state, s.c);
+}
+
+void PressureMatrix(benchmark::State& state) {  // assembly, ordering, factor
+    const Step s{column(static_cast<int>(state.range(0)))};
+    for (auto _ : state) benchmark::DoNotOptimize(s.system());
+    perTriangle(state, s.c);
+}
+
+void PressureSolution(benchmark::State& state) {
+    const Step s{column(static_cast<int>(state.range(0)))};
+    const auto system = s.system();
+    const std::vector<double> residual(s.nodes.size(), 1e-6);
+    for (auto _ : state) benchmark::DoNotOptimize(system.solve(residual));
+    perTriangle(state, s.c);
+}
+
+void WritingOfState(benchmark::State& state) {
+    const TestCase& c = column(static_cast<int>(state.range(0)));
+    const auto folder = std::filesystem::temp_directory_path() / "pfemBenchmark" / "1";
+    for (auto _ : state) writeState<2>(folder, c.state);
+    std::filesystem::remove_all(folder.parent_path());
+    perTriangle(state, c);
+}
+
+void WholeStep(benchmark::State& state) {
+    const TestCase& start = column(static_cast<int>(state.range(0)));
+    TestCase c = start;
+    for (auto _ : state) c.step(0.1 * c.state.nodes.h[0]);
+    perTriangle(state, c);
+}
+
+#define PFEM_SIZES Unit(benchmark::kMillisecond)->Arg(6000)->Arg(24000)->Arg(96000)->MeasureProcessCPUTime()->UseRealTime()
+BENCHMARK(Triangulation)->PFEM_SIZES;
+BENCHMARK(Remeshing)->PFEM_SIZES;
+BENCHMARK(TopologyOfStep)->PFEM_SIZES;
+BENCHMARK(PatchesOfNodes)->PFEM_SIZES;
+BENCHMARK(ViscousOperator)->PFEM_SIZES;
+BENCHMARK(ContinuityResidual)->PFEM_SIZES;
+BENCHMARK(PressureMatrix)->PFEM_SIZES;
+BENCHMARK(PressureSolution)->PFEM_SIZES;
+BENCHMARK(WritingOfState)->PFEM_SIZES;
+BENCHMARK(WholeStep)->PFEM_SIZES->Iterations(20);
+
+}  // namespace
+
+BENCHMARK_MAIN();
