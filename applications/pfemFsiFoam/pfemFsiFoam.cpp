@@ -92,7 +92,7 @@ int run(const Options& options) {
     const double clockStart = clockNow(), timeStart = state.time.value;
     while (clock.running(state.time)) {
         const CourantRate rate = courantRate(state);
-        const double dt = clock.deltaT(state.time, rate.largest, rate.relative);
+        const double dt = clock.deltaT(state.time, rate.largest, rate.relative, rate.compression);
         const AdvanceReport report = advanceOrSave(problem, controls, theCase, clock, state, dt);
         state.time = clock.advance(state.time, report.dt);
         summary.add(report, state.mesh.fluid.size() + state.mesh.solid.size());

@@ -29,6 +29,7 @@ struct ControlDict {
     bool adjustTimeStep = false;
     double maxCo = 0.4;
     double maxRelativeCo = 0.2;
+    double maxCompression = 0.7;
     double maxDeltaT = 1e300;
 
     template <class Visitor>
@@ -56,9 +57,11 @@ struct ControlDict {
         v("timePrecision", timePrecision, "digits", "digits of time names; raised when two would be equal",
           between(1, 17));
         v("runTimeModifiable", runTimeModifiable, "-", "read this file again when it changes during the run");
-        v("adjustTimeStep", adjustTimeStep, "-", "choose the time step by maxCo and maxRelativeCo");
+        v("adjustTimeStep", adjustTimeStep, "-", "choose the time step by maxCo, maxRelativeCo and maxCompression");
         v("maxCo", maxCo, "-", "largest |v| deltaT/h of a node", positive);
         v("maxRelativeCo", maxRelativeCo, "-", "largest |v_I - v_J| deltaT/h of two neighbours in the fluid", positive);
+        v("maxCompression", maxCompression, "-",
+          "largest -div v deltaT of a triangle: the part of its area that a new contact would lose by its velocities", positive);
         v("maxDeltaT", maxDeltaT, "s", "largest time step", positive);
     }
 };

@@ -86,13 +86,14 @@ bool TimeControl::running(const TimeInfo& time) const {
     return !stop_ && !ended(time);
 }
 
-double TimeControl::deltaT(const TimeInfo& time, double courantRate, double relativeRate) const {
+double TimeControl::deltaT(const TimeInfo& time, double courantRate, double relativeRate, double compressionRate) const {
     const bool first = time.index == 0 || !(time.deltaT > 0);
     double dt = first ? controls_.deltaT : growth * time.deltaT;
     if (controls_.adjustTimeStep) {
         dt = std::min(dt, controls_.maxDeltaT);
         if (courantRate > 0) dt = std::min(dt, controls_.maxCo / courantRate);
         if (relativeRate > 0) dt = std::min(dt, controls_.maxRelativeCo / relativeRate);
+        if (compressionRate > 0) dt = std::min(dt, controls_.maxCompression / compressionRate);
     } else {
         dt = std::min(dt, controls_.deltaT);
     }

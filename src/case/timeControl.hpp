@@ -33,8 +33,9 @@ public:
 
     /// Length of the step that comes after `time` [s]: by deltaT, maxCo, maxDeltaT, at most 1.2 times the
     /// last one, and fitted so that the next write falls exactly on k*writeInterval. `courantRate`: the
-    /// largest |v|/h of the mesh, `relativeRate`: that of neighbours to each other [1/s]; 0 when they do not matter.
-    double deltaT(const TimeInfo& time, double courantRate = 0, double relativeRate = 0) const;
+    /// largest |v|/h of the mesh, `relativeRate`: that of neighbours to each other, `compressionRate`: the largest -div v [1/s]; 0
+    /// when they do not matter.
+    double deltaT(const TimeInfo& time, double courantRate = 0, double relativeRate = 0, double compressionRate = 0) const;
 
     /// The time after a step of length dt from `time`: rounded to the write time, the end time or a multiple
     /// of deltaT when it means one of them.

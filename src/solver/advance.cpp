@@ -147,12 +147,17 @@ CourantRate courantRate(const State<Dim>& state) {
         rate.mean += own / nodes.size();
     }
     double squared = 0;
-    for (const auto& s : state.mesh.fluid.nodes)
+    for (const auto& s : state.mesh.fluid.nodes) {
         for (int a = 1; a <= Dim; ++a)
             for (int b = 0; b < a; ++b) {
                 const double h = std::min(nodes.h[s[a]], nodes.h[s[b]]);
                 squared = std::max(squared, (nodes.v[s[a]] - nodes.v[s[b]]).squaredNorm() / (h * h));
             }
+        const auto g = simplexGeometry<Dim>(nodes.x, s);
+        double div = 0;
+        for (int k = 0; k <= Dim; ++k) div += nodes.v[s[k]].dot(g.gradN[k]);
+        rate.compression = std::max(rate.compression, -div);
+    }
     rate.relative = std::sqrt(squared);
     return rate;
 }

@@ -6,7 +6,7 @@ set border lw 1.2
 H = 0.3
 unit = sqrt(9.81/H)       # t* = unit t
 pUnit = 997*9.81*H        # p* = p/pUnit
-shift = 0.1               # the experiment's clock starts with the gate (see README)
+shift = 0.05              # the experiment's clock starts with the gate (see README)
 star(t) = t*unit + shift
 dry(p) = p < -1e299 ? 0 : p
 noSlip = int(system("test -d study/noSlip/postProcessing && echo 1 || echo 0"))
