@@ -5,9 +5,15 @@
 
 namespace pfem {
 
-/// What is wrong with a .vtu file that writeGrid is said to have made, or "": another encoding, elements or types that
-/// it does not write, more points, cells or tuples than the file can hold, blocks of data that are not within it or could
-/// not be decompressed to what is promised.
-std::string damageOf(const std::string& file);
+/// What is wrong, "" when nothing, and in which line of the file's head it is said.
+struct Damage {
+    std::string reason;
+    int line = 0;
+};
+
+/// Of a .vtu file that writeGrid is said to have made: another encoding, elements or types that it does not write, more
+/// points, cells or tuples than the file can hold, blocks of data that are not within it or could not be decompressed to
+/// what is promised. What concerns an array names it.
+Damage damageOf(const std::string& file);
 
 }  // namespace pfem

@@ -77,6 +77,13 @@ private:
     throw UserError(what + " \"" + file.string() + "\": " + reason, {file.string(), 0});
 }
 
+/// "ERROR: In file.cxx, line 7\nvtkReader (0x55): Cannot read ...\n\n" without what concerns VTK's sources alone.
+std::string reasonOf(std::string message) {
+    if (const auto begin = message.find("): "); begin != std::string::npos) message.erase(0, begin + 3);
+    message = message.substr(0, message.find_first_of("\n"));
+    return message.empty() ? "unknown error" : message;
+}
+
 /// VTK's error codes begin with the system's.
 std::string reasonOf(unsigned long code) {
     if (code == vtkErrorCode::OutOfDiskSpaceError) return "no space left on the disk";
@@ -118,15 +125,15 @@ vtkSmartPointer<vtkUnstructuredGrid> readGrid(const std::filesystem::path& file)
     } catch (const std::exception& error) {  // sizes that no memory can hold
         fail("cannot read", file, std::string("truncated or corrupt (") + error.what() + ")");
     }
-    if (!errors.message().empty() || reader->GetErrorCode() != vtkErrorCode::NoError ||
-        reader->GetOutput() == nullptr || reader->GetOutput()->GetPoints() == nullptr)
-        fail("cannot read", file, "truncated, corrupt or not a file of this toolkit");
+    if (!errors.message().empty() || reader->GetErrorCode() != vtkErrorCode::NoError)
+        fail("cannot read", file, "truncated or corrupt (" + reasonOf(errors.message()) + ")");
     vtkUnstructuredGrid* grid = reader->GetOutput();
+    if (grid == nullptr || grid->GetPoints() == nullptr) fail("cannot read", file, "array 'Points' is missing");
     if (vtkCellArray* cells = grid->GetCells(); cells != nullptr)
         if (!cells->IsValid() || cells->GetNumberOfCells() != grid->GetNumberOfCells() ||
             (grid->GetNumberOfCells() > 0 && (grid->GetCellTypesArray() == nullptr ||
                                               grid->GetCellTypesArray()->GetNumberOfValues() != grid->GetNumberOfCells())))
-            fail("cannot read", file, "its cells contradict each other");
+            fail("cannot read", file, "arrays 'offsets', 'connectivity' and 'types' contradict each other");
     return grid;
 }
 
