@@ -12,6 +12,7 @@
 #include "case/unfinished.hpp"
 #include "functions/functionObjects.hpp"
 #include "io/stateFiles.hpp"
+#include "solver/checkProblem.hpp"
 #include "solver/log.hpp"
 #include "solver/recorder.hpp"
 #include "solver/setup.hpp"
@@ -45,6 +46,7 @@ int run(const Options& options) {
     TimeControl clock(theCase);
     std::cout << "Create mesh for time = " << clock.startName() << "\n\n" << std::flush;
     State<2> state = readState<2>(clock.startFolder());
+    checkState(clock.startFolder(), state);
     const Problem<2> problem = readProblem(theCase, state);
     const Controls controls = readControls(theCase);
     const auto resumeAt = state.time.index > 0 ? std::optional(state.time.value) : std::nullopt;

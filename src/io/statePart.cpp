@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "io/atomicFile.hpp"
 #include "io/gridArrays.hpp"
@@ -65,7 +66,11 @@ Nodes<Dim> readNodes(vtkUnstructuredGrid* grid, const std::filesystem::path& fil
     nodes.h = toScalars(arrays.doubles("h", 1));
     nodes.dropVolume = toScalars(arrays.doubles("dropVolume", 1));
     nodes.lostVolume = toScalars(arrays.doubles("lostVolume", 1));
-    for (const Id face : arrays.integers("wall")) nodes.wall.push_back(static_cast<int>(face));
+    for (const Id face : arrays.integers("wall")) {
+        if (face < -1 || face > std::numeric_limits<int>::max())
+            arrays.fail(fmt::format("array 'wall' contains {}, which is no face", face));
+        nodes.wall.push_back(static_cast<int>(face));
+    }
     nodes.sigma.assign(nodes.id.size(), Stress<Dim>::Zero());
     hasStress = arrays.found("sigma");
     if (hasStress) nodes.sigma = readStress<Dim>(arrays);

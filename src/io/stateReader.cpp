@@ -129,7 +129,7 @@ State<Dim> readState(const std::filesystem::path& folder) {
     int faces = 0;
     for (const auto& patch : state.mesh.patches) faces += static_cast<int>(patch.faces.size());
     for (int i = 0; i < state.nodes.size(); ++i)
-        if (state.nodes.wall[i] < -1 || state.nodes.wall[i] >= faces)
+        if (state.nodes.wall[i] >= faces)
             fluid.fail(fmt::format("array 'wall': node {} slides on wall face {} of {}", state.nodes.id[i], state.nodes.wall[i], faces));
     return state;
 }

@@ -125,8 +125,8 @@ TEST(Table, ColumnsOfOpenFoam) {
 
 /// A table of `columns` columns with rows at these times, begun at `start`.
 void writeRows(const fs::path& folder, const std::string& start, std::optional<double> resumeAt,
-               const std::vector<double>& times, int columns = 1) {
-    Table table(folder / start / "p", 6, resumeAt);
+               const std::vector<double>& times, int columns = 1, int precision = 6) {
+    Table table(folder / start / "p", precision, resumeAt);
     table.header(std::vector<std::string>(static_cast<std::size_t>(columns) + 1, "Time"));
     for (const double time : times) {
         std::vector<std::string> row{table.time(time)};
@@ -152,6 +152,17 @@ TEST(Table, ARestartedRunGoesOnWithIt) {
     EXPECT_TRUE(fs::exists(folder.path() / "0.2/p"));
     writeRows(folder.path(), "0.25", 0.25, {0.3}, 2);
     EXPECT_NE(readText(folder.path() / "0.2/p").find("0.6"), std::string::npos);
+}
+
+TEST(Table, ARowIsFoundAgainWithAnyPrecision) {
+    for (int precision = 1; precision <= 17; ++precision)
+        for (const double t : {2.0 / 3, 0.1 + 0.2, 1.0 / 7, 123.456789012345678}) {
+            const TemporaryFolder folder;
+            writeRows(folder.path(), "0", {}, {0, t, 2 * t}, 1, precision);
+            const std::string whole = readText(folder.path() / "0/p");
+            writeRows(folder.path(), "0.1", t, {2 * t}, 1, precision);
+            EXPECT_EQ(readText(folder.path() / "0/p"), whole) << precision << " digits";
+        }
 }
 
 }  // namespace pfem
