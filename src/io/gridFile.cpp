@@ -20,13 +20,21 @@ namespace pfem {
 
 namespace {
 
-/// Keeps the first message that VTK sends to observers.
-class FirstError : public vtkCommand {
+/// "ERROR: In file.cxx, line 7\nvtkReader (0x55): Cannot read ...\n\n" without what concerns VTK's sources alone.
+std::string plainText(std::string message) {
+    if (const auto begin = message.find("): "); begin != std::string::npos) message.erase(0, begin + 3);
+    return message.substr(0, message.find('\n'));
+}
+
+/// Keeps the first messages that VTK sends to observers: the cause, then where it was met.
+class FirstErrors : public vtkCommand {
 public:
-    static FirstError* New() { return new FirstError; }
+    static FirstErrors* New() { return new FirstErrors; }
     void Execute(vtkObject*, unsigned long, void* data) override { add(static_cast<const char*>(data)); }
     void add(const char* text) {
-        if (message_.empty()) message_ = text != nullptr ? text : "unknown error";
+        const std::string plain = text != nullptr ? plainText(text) : "unknown error";
+        if (message_.size() < 300 && message_.find(plain) == std::string::npos)
+            message_ += (message_.empty() ? "" : " ") + plain;
     }
     const std::string& message() const { return message_; }
 
@@ -43,11 +51,11 @@ public:
     void DisplayWarningText(const char*) override {}
     void DisplayGenericWarningText(const char*) override {}
     void DisplayDebugText(const char*) override {}
-    vtkSmartPointer<FirstError> error_;
+    vtkSmartPointer<FirstErrors> error_;
 };
 vtkStandardNewMacro(SilentWindow)
 
-    /// VTK is silent while this lives; its first error can be asked for.
+    /// VTK is silent while this lives; its first errors can be asked for.
     class VtkErrors {
 public:
     VtkErrors() : previous_(vtkOutputWindow::GetInstance()) {
@@ -67,7 +75,7 @@ public:
     const std::string& message() const { return error_->message(); }
 
 private:
-    vtkSmartPointer<FirstError> error_ = vtkSmartPointer<FirstError>::New();
+    vtkSmartPointer<FirstErrors> error_ = vtkSmartPointer<FirstErrors>::New();
     vtkSmartPointer<vtkOutputWindow> previous_;
     vtkLogger::Verbosity verbosity_ = vtkLogger::GetCurrentVerbosityCutoff();
 };
@@ -75,13 +83,6 @@ private:
 [[noreturn]] void fail(const std::string& what, const std::filesystem::path& file,
                        const std::string& reason) {
     throw UserError(what + " \"" + file.string() + "\": " + reason, {file.string(), 0});
-}
-
-/// "ERROR: In file.cxx, line 7\nvtkReader (0x55): Cannot read ...\n\n" without what concerns VTK's sources alone.
-std::string reasonOf(std::string message) {
-    if (const auto begin = message.find("): "); begin != std::string::npos) message.erase(0, begin + 3);
-    message = message.substr(0, message.find_first_of("\n"));
-    return message.empty() ? "unknown error" : message;
 }
 
 /// VTK's error codes begin with the system's.
@@ -126,7 +127,7 @@ vtkSmartPointer<vtkUnstructuredGrid> readGrid(const std::filesystem::path& file)
         fail("cannot read", file, std::string("truncated or corrupt (") + error.what() + ")");
     }
     if (!errors.message().empty() || reader->GetErrorCode() != vtkErrorCode::NoError)
-        fail("cannot read", file, "truncated or corrupt (" + reasonOf(errors.message()) + ")");
+        fail("cannot read", file, "truncated or corrupt (" + errors.message() + ")");
     vtkUnstructuredGrid* grid = reader->GetOutput();
     if (grid == nullptr || grid->GetPoints() == nullptr) fail("cannot read", file, "array 'Points' is missing");
     if (vtkCellArray* cells = grid->GetCells(); cells != nullptr)

@@ -64,6 +64,20 @@ TEST(FullDisk, AtomicFileKeepsTheOldContent) {
     EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
 }
 
+TEST(AtomicFile, LinksAndDevicesStay) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.path() / "text", link = folder.path() / "link", full = folder.path() / "full";
+    writeAtomically(file, "old");
+    fs::create_symlink(file, link);
+    writeAtomically(link, "new");
+    EXPECT_TRUE(fs::is_symlink(link));
+    EXPECT_EQ(readText(file), "new");
+    fs::create_symlink("/dev/full", full);
+    EXPECT_THROW(writeAtomically(full, "text"), UserError);
+    EXPECT_TRUE(fs::is_symlink(full));
+    EXPECT_TRUE(fs::is_character_file("/dev/full"));
+}
+
 TEST(FullDisk, TableReportsIt) {
     Table table("/dev/full", 6);
     EXPECT_THROW(table.row({"1", "2"}), UserError);
