@@ -1,6 +1,7 @@
 #pragma once
 // A look at a .vtu file before VTK reads it: VTK's reader trusts the counts in it, and dies of some that are wrong.
 
+#include <functional>
 #include <string>
 
 namespace pfem {
@@ -15,5 +16,10 @@ struct Damage {
 /// points, cells or tuples than the file can hold, blocks of data that are not within it or could not be decompressed to
 /// what is promised. What concerns an array names it.
 Damage damageOf(const std::string& file);
+
+/// The first array of a file without such damage that has a block of data which `opens` (compressed bytes, their number,
+/// number of bytes that they stand for) cannot decompress; "" without.
+std::string brokenArray(const std::string& file,
+                        const std::function<bool(const char* bytes, std::size_t n, std::size_t whole)>& opens);
 
 }  // namespace pfem

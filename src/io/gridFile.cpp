@@ -4,17 +4,22 @@
 #include <vtkCommand.h>
 #include <vtkErrorCode.h>
 #include <vtkLogger.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkXMLUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridWriter.h>
+#include <vtkZLibDataCompressor.h>
 
 #include <cstring>
 #include <exception>
 #include <string>
+#include <vector>
 
 #include "base/error.hpp"
+#include "io/atomicFile.hpp"
+#include "io/gridCheck.hpp"
 
 namespace pfem {
 
@@ -92,6 +97,16 @@ std::string reasonOf(unsigned long code) {
     return "write error " + std::to_string(code);
 }
 
+/// "array 'p' is ": the first one that cannot be decompressed; "" when all can.
+std::string whereBroken(const std::filesystem::path& file) {
+    const vtkNew<vtkZLibDataCompressor> zlib;
+    const std::string array = brokenArray(readText(file), [&](const char* bytes, std::size_t n, std::size_t whole) {
+        std::vector<unsigned char> room(whole);
+        return zlib->Uncompress(reinterpret_cast<const unsigned char*>(bytes), n, room.data(), whole) == whole;
+    });
+    return array.empty() ? "" : "array '" + array + "' is ";
+}
+
 }  // namespace
 
 void writeGrid(const std::filesystem::path& file, vtkUnstructuredGrid* grid) {
@@ -127,7 +142,7 @@ vtkSmartPointer<vtkUnstructuredGrid> readGrid(const std::filesystem::path& file)
         fail("cannot read", file, std::string("truncated or corrupt (") + error.what() + ")");
     }
     if (!errors.message().empty() || reader->GetErrorCode() != vtkErrorCode::NoError)
-        fail("cannot read", file, "truncated or corrupt (" + errors.message() + ")");
+        fail("cannot read", file, whereBroken(file) + "truncated or corrupt (" + errors.message() + ")");
     vtkUnstructuredGrid* grid = reader->GetOutput();
     if (grid == nullptr || grid->GetPoints() == nullptr) fail("cannot read", file, "array 'Points' is missing");
     if (vtkCellArray* cells = grid->GetCells(); cells != nullptr)

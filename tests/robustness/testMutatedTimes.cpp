@@ -47,7 +47,7 @@ void tryFolders(bool signedAnew) {
         EXPECT_EQ(outcome.text.find("error of the program"), std::string::npos) << about();
         used += outcome.code == 0;
         if (outcome.code == 1) {
-            static const std::regex named("(array|entry) ['\"]|\"[A-Za-z]+\" array|(at| from|and) line [0-9]+");
+            static const std::regex named("(array|entry) ['\"]|[A-Za-z]\"? array|(at| from|and) line [0-9]+");
             EXPECT_NE(outcome.text.find("file: " + time.string()), std::string::npos) << "no file: " << about();
             EXPECT_TRUE(std::regex_search(outcome.text, named)) << "neither array nor entry nor line: " << about();
         }
