@@ -14,7 +14,7 @@ foreach(program ${PFEM_PROGRAMS})
   install(FILES ${PROJECT_BINARY_DIR}/man/${program}.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 endforeach()
 install(DIRECTORY etc bin tutorials doc examples DESTINATION ${CMAKE_INSTALL_DATADIR}/pfem USE_SOURCE_PERMISSIONS
-        PATTERN "log.*" EXCLUDE PATTERN "postProcessing" EXCLUDE PATTERN "*.vtu*" EXCLUDE PATTERN "case.pvd" EXCLUDE
+        PATTERN "__pycache__" EXCLUDE PATTERN "log.*" EXCLUDE PATTERN "postProcessing" EXCLUDE PATTERN "*.vtu*" EXCLUDE PATTERN "case.pvd" EXCLUDE
         REGEX "tutorials/[A-Za-z]*/[0-9.]+$" EXCLUDE)
 install(FILES README.md CHANGELOG.md CITATION.cff LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/pfem)
 
