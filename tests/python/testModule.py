@@ -81,6 +81,21 @@ class Module(unittest.TestCase):
         self.assertAlmostEqual(pfem.vonMises([0.0, 0, 0, 2, 0, 0]), 2 * 3 ** 0.5)
         self.assertAlmostEqual(pfem.vonMises([5.0, 5, 5, 0, 0, 0]), 0)
 
+    def testJoin(self):
+        step = self.case.read("0.03")
+        both = pfem.join(step.fluid, step.solid)
+        shared = np.intersect1d(step.fluid.point["id"], step.solid.point["id"])
+        self.assertGreater(len(shared), 0)
+        self.assertEqual(len(both.points), len(step.fluid.points) + len(step.solid.points) - len(shared))
+        self.assertAlmostEqual(pfem.cellAreas(both).sum(), pfem.cellAreas(step.fluid).sum() + pfem.cellAreas(step.solid).sum())
+        at = both.index(step.solid.point["id"])
+        np.testing.assert_array_equal(both.point["vonMises"][at], pfem.vonMises(step.solid.point["sigma"]))
+        at = both.index(step.fluid.point["id"])
+        for name in ("U", "p", "D"):
+            np.testing.assert_array_equal(both.point[name][at], step.fluid.point[name])
+        np.testing.assert_array_equal(both.point["vorticity"][at], pfem.vorticity(step.fluid))
+        self.assertEqual(both.cell["part"].sum(), len(step.solid.triangles))
+
     def testDamagedFilesAreErrors(self):
         data = pathlib.Path("0.01/fluid.vtu").read_bytes()
         at = data.index(b"_", data.index(b"<AppendedData"))

@@ -13,9 +13,10 @@ Needs numpy alone. Where they are installed: frame() gives pandas frames, toMesh
 from .case import Case, Step
 from .derived import cellAreas, gradient, magnitude, vonMises, vorticity
 from .grid import Grid
+from .join import join
 from .plotting import pyplot, triangles
 from .table import Table, readTable
 from .vtu import readVtu
 
-__all__ = ["Case", "Grid", "Step", "Table", "cellAreas", "gradient", "magnitude", "pyplot", "readTable", "readVtu",
-           "triangles", "vonMises", "vorticity"]
+__all__ = ["Case", "Grid", "Step", "Table", "cellAreas", "gradient", "join", "magnitude", "pyplot", "readTable",
+           "readVtu", "triangles", "vonMises", "vorticity"]

@@ -102,19 +102,6 @@ class Grid:
                                       for name, values in self.cell.items()})
 
     def toVtk(self):
-        from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-        from vtkmodules.vtkCommonCore import vtkPoints
-        from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkUnstructuredGrid
+        from .vtk import toVtk
 
-        grid, points, cells = vtkUnstructuredGrid(), vtkPoints(), vtkCellArray()
-        points.SetData(numpy_to_vtk(self.points, deep=True))
-        grid.SetPoints(points)
-        cells.SetData(numpy_to_vtkIdTypeArray(np.append(0, self.offsets), deep=True),
-                      numpy_to_vtkIdTypeArray(self.connectivity.astype(np.int64), deep=True))
-        grid.SetCells(numpy_to_vtk(self.types.astype(np.uint8), deep=True), cells)
-        for target, fields in ((grid.GetPointData(), self.point), (grid.GetCellData(), self.cell)):
-            for name, values in fields.items():
-                array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
-                array.SetName(name)
-                target.AddArray(array)
-        return grid
+        return toVtk(self)
