@@ -16,6 +16,7 @@
 #include "io/series.hpp"
 #include "io/stateFiles.hpp"
 #include "solver/advance.hpp"
+#include "solver/checkProblem.hpp"
 #include "solver/failedFolder.hpp"
 #include "solver/log.hpp"
 #include "solver/outputFields.hpp"
@@ -75,6 +76,7 @@ int run(const Options& options) {
     State<2> state = readState<2>(clock.startFolder());
     const Problem<2> problem = readProblem(theCase, state);
     const Controls controls = readControls(theCase);
+    checkLaws<2>(problem, controls.solid, pfemSolution(theCase));
     const auto resumeAt = state.time.index > 0 ? std::optional(state.time.value) : std::nullopt;
     FunctionObjects<2> functions(theCase, clock.dictionary(), clock.startName(), clock.controls().writePrecision, {},
                                  resumeAt);
