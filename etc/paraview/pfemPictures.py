@@ -1,4 +1,4 @@
-"""The pictures of a case in ParaView: used by tutorials/*/paraview.py, which say what is coloured how.
+"""The pictures of a case in ParaView: used by tutorials/*/pictures.py, which say what is coloured how.
 
     pfemPictures.show(times=[0.2], box=((0, 0), (0.6, 0.4)), fluid=("magU", (0, 2)), solid=("vonMises", None))
 
@@ -9,9 +9,9 @@ paraview_<time>.png for each time. `fluid` and `solid`: a nodal field of "pfem: 
 import os
 import pathlib
 
+import loadPlugin
 from paraview import simple
-
-plugin = pathlib.Path(os.path.realpath(__file__)).parent / "pfemPlugin.py"
+from paraview.modules.vtkRemotingCore import vtkProcessModule
 
 
 def _part(joined, number, view, colouring, title):
@@ -38,12 +38,12 @@ def _part(joined, number, view, colouring, title):
 def show(times, box, fluid=("magU", None), solid=("vonMises", None), case=".", paths="", width=1200):
     """Set the view up; returns the pictures' names (pvbatch)."""
     simple._DisableFirstRenderCameraReset()
-    simple.LoadPlugin(str(plugin), remote=False, ns=globals())
+    loadPlugin.load(globals())
     file = str(pathlib.Path(case).resolve() / "case.pvd")
     if not os.path.exists(file):
         raise SystemExit(f"no {file}: run the case first")
     reader = simple.PVDReader(FileName=file)
-    joined = globals()["PfemJoinParts"](Input=reader)
+    joined = globals()["pfemJoinParts"](Input=reader)
     view = simple.GetActiveViewOrCreate("RenderView")
     view.UseColorPaletteForBackground = 0
     view.Background = [1, 1, 1]
@@ -61,9 +61,9 @@ def show(times, box, fluid=("magU", None), solid=("vonMises", None), case=".", p
         if colouring:
             _part(joined, number, view, colouring, title)
     if paths:
-        lines = globals()["PfemParticlePaths"](FileName=file, Ids=paths)
+        lines = globals()["pfemParticlePaths"](FileName=file, Ids=paths)
         simple.ColorBy(simple.Show(lines, view), None)
-    if hasattr(simple, "servermanager") and simple.servermanager.fromGUI:
+    if vtkProcessModule.GetProcessType() != vtkProcessModule.PROCESS_BATCH:
         simple.Render(view)
         return []
     pictures = []

@@ -1,9 +1,10 @@
 """ParaView plugin: the filter "pfem: Join Parts" and the source "pfem: Particle Paths".
 
-In ParaView: Tools > Manage Plugins > Load New: this file. In pvbatch and in scripts:
+In ParaView: File > Run Script: loadPlugin.py beside this file; or Tools > Manage Plugins > Load New: this file (not with Debian
+12's ParaView, whose loader fails). In pvbatch and in scripts, with this folder in sys.path:
 
-    from paraview.simple import LoadPlugin
-    LoadPlugin("<libpfem>/etc/paraview/pfemPlugin.py", remote=False, ns=globals())
+    import loadPlugin
+    loadPlugin.load(globals())
 """
 
 import os

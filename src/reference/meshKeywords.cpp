@@ -12,7 +12,7 @@ std::vector<KeywordTable> meshKeywords() {
                                 "list of arc",
                                 "m",
                                 "()",
-                                "curved edges: arc <vertex> <vertex> (x y), a circular arc through a point",
+                                "curved edges: arc 0 1 (x y), a circular arc from vertex 0 to 1 through a point",
                                 ""};
     return {
         {file,

@@ -7,14 +7,16 @@ import numpy as np
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-simple.LoadPlugin(os.path.join(sys.argv[1], "etc", "paraview", "pfemPlugin.py"), remote=False, ns=globals())
-sys.path.insert(0, os.path.join(sys.argv[1], "etc", "python"))
+sys.path[:0] = [os.path.join(sys.argv[1], "etc", folder) for folder in ("paraview", "python")]
+import loadPlugin
 import pfem
+
+loadPlugin.load(globals())
 
 file = os.path.abspath("case.pvd")
 case = pfem.Case()
 reader = simple.PVDReader(FileName=file)
-joined = PfemJoinParts(Input=reader)
+joined = pfemJoinParts(Input=reader)
 for name in (case.times[0], case.times[-1]):
     step = case.read(name)
     wanted = pfem.join(step.fluid, step.solid)
@@ -31,7 +33,7 @@ assert wanted.point["vonMises"].max() > 0 and wanted.point["vorticity"].any()
 
 # paths: of two nodes of the wall's interface (which live for ever) until a time in the middle, then until the end
 ids = np.intersect1d(step.fluid.point["id"], step.solid.point["id"])[:2]
-paths = PfemParticlePaths(FileName=file, Ids=" ".join(str(i) for i in ids))
+paths = pfemParticlePaths(FileName=file, Ids=" ".join(str(i) for i in ids))
 paths.UpdatePipelineInformation()
 assert list(paths.TimestepValues) == [float(name) for name in case.times]
 time, x = case.trace(ids)

@@ -1,5 +1,5 @@
 # The paper's figure 12: pressure of the water around the wedge.
-#     pvbatch paraview.py          (after a run; writes paraview_<time>.png)
+#     pvbatch pictures.py          (after a run; writes paraview_<time>.png)
 # or in ParaView, started after ". <libpfem>/etc/bashrc" in this folder: File > Run Script
 import os
 import sys

@@ -1,5 +1,5 @@
 # The paper's figure 5: bending stress over the deformed shape at the first maximum (study/nodal-1).
-#     pvbatch paraview.py          (after a run; writes paraview_<time>.png)
+#     pvbatch pictures.py          (after a run; writes paraview_<time>.png)
 # or in ParaView, started after ". <libpfem>/etc/bashrc" in this folder: File > Run Script
 import os
 import sys

@@ -1,5 +1,5 @@
 # Speed of the water in the first quarter of the period, and paths of its particles.
-#     pvbatch paraview.py          (after a run; writes paraview_<time>.png)
+#     pvbatch pictures.py          (after a run; writes paraview_<time>.png)
 # or in ParaView, started after ". <libpfem>/etc/bashrc" in this folder: File > Run Script
 import os
 import sys
