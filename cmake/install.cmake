@@ -9,7 +9,7 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 install(TARGETS ${PFEM_PROGRAMS} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(PROGRAMS bin/pfemHistory DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(PROGRAMS bin/pfemHistory bin/pfemAnimate DESTINATION ${CMAKE_INSTALL_BINDIR})
 foreach(program ${PFEM_PROGRAMS})
   install(FILES ${PROJECT_BINARY_DIR}/man/${program}.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 endforeach()

@@ -23,6 +23,8 @@ def _part(joined, number, view, colouring, title):
     display = simple.Show(part, view)
     simple.ColorBy(display, ("POINTS", field, *component))
     table = simple.GetColorTransferFunction(field)
+    if number:
+        table.ApplyPreset("Inferno (matplotlib)", True)
     if limits:
         table.RescaleTransferFunction(*limits)
     else:
@@ -30,7 +32,8 @@ def _part(joined, number, view, colouring, title):
     bar = simple.GetScalarBar(table, view)
     bar.Title, bar.ComponentTitle = f"{title}: {field}", component[0] if component else ""
     bar.TitleColor = bar.LabelColor = [0, 0, 0]
-    bar.WindowLocation = "Lower Left Corner" if number else "Lower Right Corner"
+    bar.Orientation, bar.WindowLocation, bar.HorizontalTitle = "Horizontal", "Any Location", 1
+    bar.Position, bar.ScalarBarLength = [0.58 if number else 0.05, 0.04], 0.35
     display.SetScalarBarVisibility(view, True)
     return display
 
