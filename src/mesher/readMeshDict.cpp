@@ -106,13 +106,21 @@ Body readBody(const Dictionary& dict, const std::vector<std::string>& materials)
     return body;
 }
 
+/// A group's name may be a number: that of a physical group without a name.
+std::string readGroupName(const Dictionary& dict, const std::string& otherwise) {
+    if (!dict.found("group")) return otherwise;
+    TokenReader tokens = dict.reader("group");
+    if (!tokens.peek().isNumber()) return dict.get<std::string>("group");
+    return std::to_string(dict.get<std::int64_t>("group"));
+}
+
 /// Name, places for error messages, meshSize and group of a body or a wall of a mesh file.
 void readGroup(const Dictionary& dict, Outline& outline, std::string& group) {
     outline.name = dict.keyword();
     outline.places[""] = dict.where();
     for (const auto& key : dict.keys()) outline.places[key] = dict.where(key);
     outline.meshSize = readSize(dict);
-    group = dict.get<std::string>("group", outline.name);
+    group = readGroupName(dict, outline.name);
 }
 
 Body readFileBody(const Dictionary& dict, const std::vector<std::string>& materials) {
@@ -122,7 +130,7 @@ Body readFileBody(const Dictionary& dict, const std::vector<std::string>& materi
     if (dict.found("vertices")) dict.fatal("vertices", "A body of a mesh file has no vertices but a group");
     const Dictionary patches = dict.subDictOrEmpty("patches");
     for (const auto& name : patches.keys())
-        body.edgeGroups[name] = patches.subDict(name).get<std::string>("group", name);
+        body.edgeGroups[name] = readGroupName(patches.subDict(name), name);
     return body;
 }
 

@@ -48,7 +48,7 @@ std::vector<KeywordTable> meshKeywords() {
            "parts of the outline that constant/boundaryConditions speaks of", ""}}},
         {file,
          "bodies: patches: each",
-         "",
+         "A part of the body's outline.",
          {{"edges", "list of pairs", "-", "required", "edges by their two vertices: ((3 0))", ""},
           {"group", "word", "-", "the patch's name", "with meshFile, instead of edges: its group of edges", ""}}},
         {file,
