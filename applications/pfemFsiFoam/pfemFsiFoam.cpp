@@ -49,6 +49,7 @@ int run(const Options& options) {
     checkState(clock.startFolder(), state);
     const Problem<2> problem = readProblem(theCase, state);
     const Controls controls = readControls(theCase);
+    checkLaws<2>(problem, controls.solid, pfemSolution(theCase));
     const auto resumeAt = state.time.index > 0 ? std::optional(state.time.value) : std::nullopt;
     FunctionObjects<2> functions(theCase, clock.dictionary(), clock.startName(), clock.controls().writePrecision, {},
                                  resumeAt);

@@ -84,7 +84,8 @@ double elasticEnergy(const Problem<Dim>& problem, const Controls& controls, cons
         const double trace = s[0] + s[1] + s[2];
         double squares = 0;
         for (int c = 0; c < nStress<Dim>; ++c) squares += (c < 3 ? 1 : 2) * s[c] * s[c];
-        const double density = hyperelastic ? neoHookeanEnergy<Dim>(m, F[p])
+        const double density = hyperelastic && m.law != nullptr ? lawEnergy<Dim>(*m.law, F[p])
+                               : hyperelastic                   ? neoHookeanEnergy<Dim>(m, F[p])
                                             : 0.5 / m.E * ((1 + m.nu) * squares - m.nu * trace * trace);
         sum += pointVolume<Dim>(patches, p) * density;
     }

@@ -45,13 +45,17 @@ std::vector<Material> readMaterials(const Dictionary& dict) {
         const Dictionary& entry = dict.subDict(key);
         Material m;
         m.name = key;
-        const std::string type = entry.choice("type", {"newtonian", "hypoelastic"});
+        std::vector<std::string> types = {"newtonian", "hypoelastic"};
+        for (const auto& added : addedSolidLaws()) types.push_back(added);
+        const std::string type = entry.choice("type", types);
         if (type == "newtonian") {
             m.kind = MaterialKind::fluid;
             m.fluid = readNewtonian(entry);
         } else {
             m.kind = MaterialKind::solid;
             m.solid = readHypoelastic(entry);
+            if (type != "hypoelastic") m.law = makeSolidLaw(type, entry, m.solid);
+            m.solid.law = m.law.get();
         }
         materials.push_back(m);
     }

@@ -72,12 +72,16 @@ std::vector<Stress<Dim>> updatedStress(const Problem<Dim>& problem, const SolidC
     if (controls.stressUpdate == "paper") {
         update(trial.v, [&](Law m, Old s, Gradient L) { return paperUpdate<Dim>(m, s, L, dt); });
     } else if (controls.stressUpdate == "neoHookean") {
-        update(trial.x, [](Law m, Old, Gradient F) { return neoHookeanStress<Dim>(m, F); });
+        update(trial.x, [](Law m, Old, Gradient F) {
+            return m.law != nullptr ? lawTotal<Dim>(*m.law, F) : neoHookeanStress<Dim>(m, F);
+        });
     } else {
         Points<Dim> increment(old.x.size());
         for (std::size_t i = 0; i < increment.size(); ++i)  // x - x^n without its cancellation
             increment[i] = 0.5 * dt * (old.v[i] + trial.v[i]);
-        update(increment, [](Law m, Old s, Gradient du) { return rotatedMidpoint<Dim>(m, s, du); });
+        update(increment, [](Law m, Old s, Gradient du) {
+            return m.law != nullptr ? lawMidpoint<Dim>(*m.law, s, du) : rotatedMidpoint<Dim>(m, s, du);
+        });
     }
     return sigma;
 }

@@ -161,6 +161,18 @@ std::vector<std::string> doubts(const Dictionary& materials, const Dictionary& g
     return found;
 }
 
+template <int Dim>
+void checkLaws(const Problem<Dim>& problem, const SolidControls& controls, const Dictionary& pfemSolution) {
+    for (const auto& material : problem.materials) {
+        if (material.law == nullptr) continue;
+        const std::string needed = material.law->isTotal() ? "neoHookean" : "rotatedMidpoint";
+        if (controls.stressUpdate != needed)
+            pfemSolution.subDictOrEmpty("solid").fatal(
+                "stressUpdate", fmt::format("the law of material '{}' needs the stressUpdate {}", material.name, needed));
+    }
+}
+
+template void checkLaws<2>(const Problem<2>&, const SolidControls&, const Dictionary&);
 template std::vector<std::string> doubts<2>(const Dictionary&, const Dictionary&, const Dictionary&, const Problem<2>&,
                                             const State<2>&);
 template void checkState<2>(const std::filesystem::path&, const State<2>&);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dictionary/dictionary.hpp"
+#include "momentum/controls.hpp"
 #include "state/problem.hpp"
 
 namespace pfem {
@@ -24,6 +25,11 @@ void checkConditions(const Dictionary& dict, const BoundaryConditions<Dim>& cond
 /// size, a solid's element without volume, a folder that was renamed.
 template <int Dim>
 void checkState(const std::filesystem::path& folder, const State<Dim>& state);
+
+/// Throws UserError, in system/pfemSolution, for a material of another project whose law is not of the form that
+/// solid/stressUpdate asks for.
+template <int Dim>
+void checkLaws(const Problem<Dim>& problem, const SolidControls& controls, const Dictionary& pfemSolution);
 
 /// Sentences about numbers that can be computed but hardly be meant, each naming its entry with file and line: nothing
 /// drives the case (no gravity, velocity, load or motion), gravity or weight of the fluid out of proportion.
