@@ -69,30 +69,30 @@ std::string damageOfBlocks(const std::string& file, std::uint64_t begin) {
 }
 
 /// What is wrong with one tag `<...` and, of an array, with its data; `base`: where the data begin.
-std::string damageOfTag(const std::string& file, std::string tag, std::uint64_t base) {
+Damage damageOfTag(const std::string& file, std::string tag, std::uint64_t base) {
     if (tag.ends_with("/")) tag.back() = ' ';
     const std::string name = tag.substr(1, tag.find_first_of(" \n\t", 1) - 1);
-    if (!isOneOf(name, elements)) return "unknown element";
+    if (!isOneOf(name, elements)) return {"unknown element", 0, true};
     const std::string array = fmt::format("array '{}' ", attribute(tag, "Name").value_or("without name"));
     if (const auto type = attribute(tag, "type"); name.ends_with("Array") && (!type || !isOneOf(*type, types)))
-        return array + "has an unknown type";
+        return {array + "has an unknown type", 0, true};
     for (const char* count : {"NumberOfPoints", "NumberOfCells", "NumberOfTuples", "NumberOfComponents"})
         if (const auto text = attribute(tag, count)) {
             const auto number = wholeNumber(*text);
-            if (!number || *number > densest * file.size()) return fmt::format("{} is '{}'", count, *text);
+            if (!number || *number > densest * file.size()) return {fmt::format("{} is '{}'", count, *text)};
         }
-    if (attribute(tag, "format") != "appended") return "";
+    if (attribute(tag, "format") != "appended") return {};
     const auto offset = wholeNumber(attribute(tag, "offset").value_or(""));
-    if (!offset || *offset > file.size()) return array + "has no place in the file";
+    if (!offset || *offset > file.size()) return {array + "has no place in the file"};
     const auto damage = damageOfBlocks(file, base + *offset);
-    return damage.empty() ? "" : array + damage;
+    return damage.empty() ? Damage{} : Damage{array + damage};
 }
 
 }  // namespace
 
 Damage damageOf(const std::string& file) {
     const auto appended = file.find("<AppendedData encoding=\"raw\">");
-    if (appended == std::string::npos || file.rfind(expectedStart, 0) != 0) return {"not a file of this toolkit", 1};
+    if (appended == std::string::npos || file.rfind(expectedStart, 0) != 0) return {"not a file of this toolkit", 1, true};
     const auto lineAt = [&](std::size_t place) {
         return 1 + static_cast<int>(std::count(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(place), '\n'));
     };
@@ -101,8 +101,9 @@ Damage damageOf(const std::string& file) {
     for (auto begin = file.find('<'); begin < appended; begin = file.find('<', begin + 1)) {
         const auto end = file.find('>', begin);
         if (end == std::string::npos || end > appended + 40) return {"its head is not complete", lineAt(begin)};
-        if (auto reason = damageOfTag(file, file.substr(begin, end - begin), base + 1); !reason.empty())
-            return {std::move(reason), lineAt(begin)};
+        Damage damage = damageOfTag(file, file.substr(begin, end - begin), base + 1);
+        damage.line = lineAt(begin);
+        if (!damage.reason.empty()) return damage;
     }
     return {};
 }

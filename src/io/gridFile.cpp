@@ -97,10 +97,12 @@ std::string reasonOf(unsigned long code) {
     return "write error " + std::to_string(code);
 }
 
-/// "array 'p' is ": the first one that cannot be decompressed; "" when all can.
+/// "array 'p' is ": the first one that cannot be decompressed; "" when all can, and for files of others.
 std::string whereBroken(const std::filesystem::path& file) {
+    const std::string text = readText(file);
+    if (!damageOf(text).reason.empty()) return "";
     const vtkNew<vtkZLibDataCompressor> zlib;
-    const std::string array = brokenArray(readText(file), [&](const char* bytes, std::size_t n, std::size_t whole) {
+    const std::string array = brokenArray(text, [&](const char* bytes, std::size_t n, std::size_t whole) {
         std::vector<unsigned char> room(whole);
         return zlib->Uncompress(reinterpret_cast<const unsigned char*>(bytes), n, room.data(), whole) == whole;
     });

@@ -85,9 +85,9 @@ ForeignMesh readGridMesh(const std::filesystem::path& file, const std::string& c
     // VTK's reader dies of some damaged files; those of our own form can be checked before.
     const std::string text = readText(file);
     if (text.find("vtkZLibDataCompressor") != std::string::npos && text.find("<AppendedData encoding=\"raw\">") != std::string::npos)
-        if (const std::string damage = damageOf(text); !damage.empty() && damage != "not a file of this toolkit" &&
-                                                        damage != "unknown element" && damage != "unknown type of an array")
-            throw UserError("cannot read \"" + file.string() + "\": truncated or corrupt (" + damage + ")", {file.string(), 0});
+        if (const Damage damage = damageOf(text); !damage.reason.empty() && !damage.foreign)
+            throw UserError("cannot read \"" + file.string() + "\": truncated or corrupt (" + damage.reason + ")",
+                            {file.string(), damage.line});
     return GridMeshReader(file, cellArray).read();
 }
 
