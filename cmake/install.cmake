@@ -9,20 +9,23 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 install(TARGETS ${PFEM_PROGRAMS} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(PROGRAMS bin/pfemHistory DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(PROGRAMS bin/pfemHistory bin/pfemAnimate DESTINATION ${CMAKE_INSTALL_BINDIR})
 foreach(program ${PFEM_PROGRAMS})
   install(FILES ${PROJECT_BINARY_DIR}/man/${program}.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 endforeach()
 install(DIRECTORY etc bin tutorials doc examples DESTINATION ${CMAKE_INSTALL_DATADIR}/pfem USE_SOURCE_PERMISSIONS
-        PATTERN "log.*" EXCLUDE PATTERN "postProcessing" EXCLUDE PATTERN "*.vtu*" EXCLUDE PATTERN "case.pvd" EXCLUDE
+        PATTERN "__pycache__" EXCLUDE PATTERN "log.*" EXCLUDE PATTERN "postProcessing" EXCLUDE PATTERN "*.vtu*" EXCLUDE PATTERN "case.pvd" EXCLUDE
         REGEX "tutorials/[A-Za-z]*/[0-9.]+$" EXCLUDE)
+install(DIRECTORY applications DESTINATION ${CMAKE_INSTALL_DATADIR}/pfem FILES_MATCHING PATTERN "*.cpp")
 install(FILES README.md CHANGELOG.md CITATION.cff LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/pfem)
 
 install(TARGETS pfem EXPORT pfemTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY src/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pfem FILES_MATCHING PATTERN "*.hpp")
 install(EXPORT pfemTargets NAMESPACE pfem:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/pfem)
+set(PFEM_APPLICATIONS ${CMAKE_INSTALL_DATADIR}/pfem/applications)
 configure_package_config_file(cmake/pfemConfig.cmake.in ${PROJECT_BINARY_DIR}/pfemConfig.cmake
-                              INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/pfem)
+                              INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/pfem
+                              PATH_VARS PFEM_APPLICATIONS)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/pfemConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/pfemConfig.cmake ${PROJECT_BINARY_DIR}/pfemConfigVersion.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/pfem)

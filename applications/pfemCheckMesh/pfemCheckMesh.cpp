@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "application/runApplication.hpp"
 #include "application/timeRanges.hpp"
@@ -44,6 +45,9 @@ bool printCheck(const State<2>& state, const MeshCheck& check) {
         fmt::print(
             "Boundary of the fluid: free surface {:.6g} m in {} pieces, walls {:.6g} m, solids {:.6g} m\n",
             check.freeSurface, check.pieces, check.wetWalls, check.interface);
+    const auto& drops = state.nodes.dropVolume;
+    if (const auto n = std::count_if(drops.begin(), drops.end(), [](double volume) { return volume > 0; }); n > 0)
+        fmt::print("Drops in flight: {} nodes, {:.3g} m2\n", n, std::accumulate(drops.begin(), drops.end(), 0.0));
     printFaults(check.faults, "***");
     printFaults(check.gaps, "*");
     // while a run goes on, a narrow gap is a contact to come

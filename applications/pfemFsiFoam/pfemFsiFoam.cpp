@@ -1,7 +1,5 @@
 // The solver: free-surface fluids, elastic solids and both together, from the latest (or chosen) time folder on.
 
-#include <fmt/format.h>
-
 #include <chrono>
 #include <ctime>
 #include <iostream>
@@ -13,12 +11,10 @@
 #include "case/timeControl.hpp"
 #include "case/unfinished.hpp"
 #include "functions/functionObjects.hpp"
-#include "io/series.hpp"
 #include "io/stateFiles.hpp"
-#include "solver/advance.hpp"
-#include "solver/failedFolder.hpp"
+#include "solver/checkProblem.hpp"
 #include "solver/log.hpp"
-#include "solver/outputFields.hpp"
+#include "solver/recorder.hpp"
 #include "solver/setup.hpp"
 
 using namespace pfem;
@@ -30,59 +26,40 @@ double clockNow() {
 }
 double cpuNow() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-void save(const Case& theCase, const Problem<2>& problem, const TimeControl& clock, const State<2>& state) {
-    writeState(clock.folder(state.time), state, outputFields(problem, state));
-    writeSeries(theCase.root());
-}
-
-/// One step; when it fails for good, the last good state is written before the message, the bad one for inspection.
-AdvanceReport advanceOrSave(const Problem<2>& problem, const Controls& controls, const Case& theCase,
-                            const TimeControl& clock, State<2>& state, double dt) {
-    try {
-        return advance(problem, controls, state, dt);
-    } catch (const StepFailure& failure) {
-        save(theCase, problem, clock, state);
-        std::string places;
-        if (const auto* step = dynamic_cast<const FailedStep<2>*>(&failure))
-            places = "\n" + writeFailed(theCase.root(), problem, *step, state) +
-                     "\nThe folder failed/ shows it (ParaView: failed/failed.pvd, flag 'failed').";
-        throw StepFailure(fmt::format("The step after t = {} s failed with deltaT = {:.3g} s and all its halvings:\n{}{}\n"
-                                      "The last good state is in the folder {}.",
-                                      state.time.value, dt, failure.what(), places, clock.name(state.time)));
-    } catch (const std::exception&) {
-        save(theCase, problem, clock, state);
-        throw;
-    }
-}
-
-/// What the last run has left: an old lock, unfinished folders, other settings.
-void welcome(const Case& theCase, const RunLock& lock) {
+/// What the last run has left: an old lock, unfinished folders, other settings. Returns those of now.
+Settings welcome(const Case& theCase, const RunLock& lock) {
     if (!lock.abandoned().empty())
         std::cerr << "--> PFEM Warning : the lock of a run that did not end properly is taken over (" << lock.abandoned()
                   << ")\n";
     for (const auto& done : clearUnfinished(theCase.root())) std::cerr << "--> PFEM Warning : " << done << "\n";
-    const std::string changes = rememberSettings(theCase, currentSettings(theCase));
+    const Settings settings = currentSettings(theCase);
+    const std::string changes = settingChanges(theCase, settings);
     if (!changes.empty()) std::cout << "Settings that differ from those of the last run:\n" << changes << "\n";
+    return settings;
 }
 
 int run(const Options& options) {
     const Case theCase = options.openCase();
     std::cout << startBanner(options, theCase) << "Create time\n\n" << std::flush;
     const RunLock lock(theCase.root(), options.program());
-    welcome(theCase, lock);
+    const Settings settings = welcome(theCase, lock);
     TimeControl clock(theCase);
     std::cout << "Create mesh for time = " << clock.startName() << "\n\n" << std::flush;
     State<2> state = readState<2>(clock.startFolder());
+    checkState(clock.startFolder(), state);
     const Problem<2> problem = readProblem(theCase, state);
     const Controls controls = readControls(theCase);
+    checkLaws<2>(problem, controls.solid, pfemSolution(theCase));
     const auto resumeAt = state.time.index > 0 ? std::optional(state.time.value) : std::nullopt;
     FunctionObjects<2> functions(theCase, clock.dictionary(), clock.startName(), clock.controls().writePrecision, {},
                                  resumeAt);
     warnUnused(clock.dictionary(), std::cerr);
+    keepSettings(theCase, settings);  // all of them have been accepted
 
     double firstVolume = totalVolume(state);
     for (const auto& [cause, amount] : state.ledger) firstVolume -= amount;
-    if (state.time.index == 0) startConsistently(problem, controls, state, clock.deltaT(state.time));
+    Recorder<2> recorder(theCase, problem, clock, state);
+    if (state.time.index == 0) recorder.start(controls, state, clock.deltaT(state.time));
     functions.start(state);
 
     if (!clock.running(state.time))
@@ -93,7 +70,7 @@ int run(const Options& options) {
     while (clock.running(state.time)) {
         const CourantRate rate = courantRate(state);
         const double dt = clock.deltaT(state.time, rate.largest, rate.relative, rate.compression);
-        const AdvanceReport report = advanceOrSave(problem, controls, theCase, clock, state, dt);
+        const AdvanceReport report = recorder.advance(controls, state, dt);
         state.time = clock.advance(state.time, report.dt);
         summary.add(report, state.mesh.fluid.size() + state.mesh.solid.size());
 
@@ -101,10 +78,7 @@ int run(const Options& options) {
                   << stepLines(report, state, firstVolume);
         functions.execute(state);
         state.memory = functions.memory();
-        if (clock.writeDue(state.time)) {
-            save(theCase, problem, clock, state);
-            clock.written(state.time);
-        }
+        if (clock.writeDue(state.time)) recorder.save(state);
         const double done = (state.time.value - timeStart) / (clock.controls().endTime - timeStart);
         std::cout << timeLines(cpuNow(), clockNow() - clockStart, done) << std::flush;
     }

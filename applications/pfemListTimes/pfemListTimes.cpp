@@ -6,6 +6,7 @@
 #include "application/runApplication.hpp"
 #include "application/timeRanges.hpp"
 #include "base/error.hpp"
+#include "case/timeFolders.hpp"
 #include "io/series.hpp"
 
 using namespace pfem;
@@ -23,7 +24,7 @@ int main(int argc, char** argv) {
                                   std::cout << time.name << '\n';
                                   if (!options.found("rm")) continue;
                                   std::error_code error;
-                                  std::filesystem::remove_all(theCase.time(time.name), error);
+                                  removeTime(theCase.root(), time.name, error);
                                   if (error)
                                       throw UserError("cannot remove \"" + theCase.time(time.name).string() +
                                                       "\": " + error.message());

@@ -12,6 +12,7 @@
 #include "case/timeFolders.hpp"
 #include "io/series.hpp"
 #include "io/stateFiles.hpp"
+#include "mesher/meshFile.hpp"
 #include "mesher/meshReport.hpp"
 #include "mesher/readMeshDict.hpp"
 
@@ -43,6 +44,13 @@ void warnOfLaterTimes(const Case& theCase) {
                   << ": remove these folders (./Allclean), or the solver goes on from the latest\n";
 }
 
+MeshResult makeMesh(const Case& theCase, const MeshDescription& description) {
+    if (description.meshFile.empty()) return buildMesh(description);
+    const auto file = theCase.root() / description.meshFile;
+    if (!std::filesystem::exists(file)) throw UserError("cannot find file \"" + file.string() + "\"", description.meshFileAt);
+    return takeMesh(description, readMeshFile(file, description.cellArray));
+}
+
 double memoryPeak() {  // [MB]
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -59,7 +67,7 @@ int run(const Options& options) {
     const MeshDescription description = readMeshDict(dict, materialNames(theCase), meshSizeOption(options));
     warnUnused(dict, std::cerr);
 
-    const MeshResult mesh = buildMesh(description);
+    const MeshResult mesh = makeMesh(theCase, description);
     std::cout << meshReport(description, mesh) << std::flush;
 
     writeState(theCase.time("0"), mesh.state);
@@ -79,6 +87,6 @@ int main(int argc, char* argv[]) {
     spec.add("h", "size",
              "target edge length [m] instead of meshSize at the top of meshDict; "
              "bodies and walls with a meshSize of their own keep it");
-    return runApplication(argc, argv, "Mesh the bodies and walls of system/meshDict and write time 0", spec,
+    return runApplication(argc, argv, "Mesh the bodies and walls of system/meshDict, or take the mesh of a file, and write time 0", spec,
                           run);
 }

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <iostream>
+#include <optional>
 
 #include "application/optionValues.hpp"
 #include "application/runApplication.hpp"
 #include "application/timeRanges.hpp"
+#include "case/runLock.hpp"
 #include "functions/postProcess.hpp"
 
 using namespace pfem;
@@ -52,6 +54,8 @@ int main(int argc, char** argv) {
         argc, argv, "Function objects over the written times, in postProcessing/<name>/<first time>.",
         postProcessOptions(), [](const Options& options) {
             const Case theCase = options.openCase();
+            std::optional<RunLock> lock;  // tables of a running job must not be replaced under its hands
+            if (options.found("overwrite")) lock.emplace(theCase.root(), options.program());
             const auto times = selectTimes(theCase, options);
             const auto wanted = wantedNames(options);
             const Dictionary dict = functionsOf(theCase, options, wanted);

@@ -11,6 +11,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* kept = ".pfemSettings";
+
 /// Lines "key<tab>value"; no line breaks in either.
 std::string toText(const Settings& settings) {
     std::string text;
@@ -45,12 +47,14 @@ Settings currentSettings(const Case& theCase) {
     return fromText(toText(settings));
 }
 
-std::string rememberSettings(const Case& theCase, const Settings& now) {
-    const fs::path file = theCase.root() / ".pfemSettings";
-    const bool first = !fs::exists(file);
-    const std::string changes = first ? "" : differences(fromText(readText(file)), now);
-    if (first || !changes.empty()) writeAtomically(file, toText(now));
-    return changes;
+std::string settingChanges(const Case& theCase, const Settings& now) {
+    const fs::path file = theCase.root() / kept;
+    return fs::exists(file) ? differences(fromText(readText(file)), now) : "";
+}
+
+void keepSettings(const Case& theCase, const Settings& now) {
+    const fs::path file = theCase.root() / kept;
+    if (!fs::exists(file) || fromText(readText(file)) != now) writeAtomically(file, toText(now));
 }
 
 }  // namespace pfem

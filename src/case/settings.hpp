@@ -13,8 +13,12 @@ using Settings = std::map<std::string, std::string>;  // "system/pfemSolution co
 /// All entries of the dictionaries that the solver reads. Throws UserError.
 Settings currentSettings(const Case& theCase);
 
-/// Compares with what the last run has left in <case>/.pfemSettings and replaces that. Returns a line for each
-/// difference; "" without one, and for the first run.
-std::string rememberSettings(const Case& theCase, const Settings& now);
+/// A line for each difference to what the last run has left in <case>/.pfemSettings; "" without one, and for the first
+/// run. Throws UserError.
+std::string settingChanges(const Case& theCase, const Settings& now);
+
+/// Leave them for the next run. To be called when all have been accepted: after a mistake the next log then still
+/// compares with the run that took place.
+void keepSettings(const Case& theCase, const Settings& now);
 
 }  // namespace pfem

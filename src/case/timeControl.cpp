@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <iostream>
 #include <limits>
 
@@ -42,6 +43,17 @@ std::string chooseStart(const Case& theCase, const ControlDict& controls) {
         {theCase.controlDict().string(), 0});
 }
 
+/// Times after the start are of an earlier run, and would be mixed with those of this one.
+void warnOfLaterTimes(const Case& theCase, const std::string& start) {
+    auto times = listTimes(theCase.root()).complete;
+    std::erase_if(times, [&](const TimeFolder& folder) { return folder.value <= *asNumber(start); });
+    if (times.empty()) return;
+    std::cerr << "--> PFEM Warning : after the start at " << start << " there are " << times.size()
+              << " times of an earlier run, " << times.front().name << " to " << times.back().name
+              << ". Each stays until this run writes a time of that name; 'pfemListTimes -rm -time " << times.front().name
+              << ":' removes them\n";
+}
+
 fs::file_time_type modificationTime(const fs::path& file) {
     std::error_code error;
     return fs::last_write_time(file, error);
@@ -58,6 +70,7 @@ TimeControl::TimeControl(const Case& theCase)
       write_(writeControlOf(controls_)),
       startName_(chooseStart(theCase, controls_)) {
     catchInterrupts();
+    warnOfLaterTimes(theCase, startName_);
     stop_ = controls_.stopAt == "writeNow" || controls_.stopAt == "noWriteNow";
     if (stop_)
         std::cerr << "--> PFEM Warning : nothing to do: 'stopAt " << controls_.stopAt << "' in "
@@ -139,7 +152,11 @@ void TimeControl::readAgainIfChanged() {
         Dictionary dict = Dictionary::read(file_);
         const ControlDict controls = readControlDict(dict);
         write_ = writeControlOf(controls);
-        std::cout << "Re-reading " << file_.string() << "\n" << differences(flatEntries(dict_), flatEntries(dict));
+        const std::string changes = differences(flatEntries(dict_), flatEntries(dict));
+        std::cout << "Re-reading " << file_.string() << "\n" << changes;
+        for (const char* key : {"functions.", "startFrom:", "startTime:", "writePrecision:", "libs:"})
+            if (changes.find("    " + std::string(key)) != std::string::npos)
+                std::cout << "    (" << std::string(key, std::strlen(key) - 1) << ": from the next start on)\n";
         controls_ = controls;
         dict_ = std::move(dict);
     } catch (const UserError& error) {  // perhaps just being edited: a running job must not die of it
@@ -160,7 +177,7 @@ void TimeControl::written(const TimeInfo& time) {
     names_.push_back(current);
     while (controls_.purgeWrite > 0 && static_cast<int>(names_.size()) > controls_.purgeWrite) {
         std::error_code ignored;
-        if (asNumber(names_.front()) != 0.0) fs::remove_all(root_ / names_.front(), ignored);
+        if (asNumber(names_.front()) != 0.0) removeTime(root_, names_.front(), ignored);
         names_.pop_front();
     }
 }

@@ -53,6 +53,13 @@ TimeFolders listTimes(const fs::path& root) {
     return found;
 }
 
+void removeTime(const fs::path& root, const std::string& name, std::error_code& error) {
+    const fs::path aside = root / ("." + name + ".tmp");
+    fs::remove_all(aside, error);
+    fs::rename(root / name, aside, error);
+    if (!error) fs::remove_all(aside, error);
+}
+
 std::string timeName(double value, const std::string& format, int precision) {
     std::ostringstream stream;
     if (format == "fixed") stream.setf(std::ios::fixed, std::ios::floatfield);

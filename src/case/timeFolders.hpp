@@ -28,6 +28,9 @@ struct TimeFolders {
 /// The folders of `root` whose names are numbers.
 TimeFolders listTimes(const std::filesystem::path& root);
 
+/// Remove a time folder so that it is complete or absent, also for a program that is killed meanwhile.
+void removeTime(const std::filesystem::path& root, const std::string& name, std::error_code& error);
+
 /// The number that is all of `text`, or nothing.
 std::optional<double> asNumber(const std::string& text);
 

@@ -31,7 +31,7 @@ std::vector<std::string> clearUnfinished(const fs::path& root) {
             if (!error) done.push_back("time folder " + replaced + " is put back: it was being replaced when a run ended");
         } else if (!replaced.empty() || !time.empty()) {
             fs::remove_all(root / name, error);
-            done.push_back("the unfinished folder " + name + " is removed: a run ended while it wrote time " +
+            done.push_back("the unfinished folder " + name + " is removed: a run ended while it wrote or removed time " +
                            (replaced.empty() ? time : replaced));
         }
     }

@@ -24,6 +24,8 @@ FunctionObjects<Dim>::FunctionObjects(const Case& theCase, const Dictionary& dic
     const Dictionary functions = dict.subDictOrEmpty("functions");
     for (const auto& name : functions.keys()) {
         if (!functions.isDict(name)) functions.fatal(name, "'" + name + "' in functions is not a dictionary");
+        if (name.empty() || name[0] == '.' || name.find_first_of("/\"\n") != std::string::npos)
+            functions.fatal(name, "'" + name + "' in functions cannot be the name of a folder in postProcessing");
         const Dictionary& entry = functions.subDict(name);
         if (!entry.get("enabled", true)) continue;
         if (wanted && !wanted(entry)) continue;

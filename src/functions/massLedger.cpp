@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -14,6 +15,23 @@ namespace {
 std::vector<std::string> wordsOf(const std::string& line) {
     std::istringstream stream(line);
     return {std::istream_iterator<std::string>(stream), {}};
+}
+
+using Row = std::map<std::string, std::string>;  // title -> text
+
+std::vector<std::string> titlesOf(const TableText& table) {
+    return table.head.empty() ? std::vector<std::string>{} : wordsOf(table.head.back().substr(1));
+}
+
+std::vector<Row> rowsOf(const TableText& table) {
+    const auto titles = titlesOf(table);
+    std::vector<Row> rows;
+    for (const auto& line : table.rows) {
+        const auto words = wordsOf(line);
+        Row& row = rows.emplace_back();
+        for (std::size_t i = 0; i < std::min(words.size(), titles.size()); ++i) row[titles[i]] = words[i];
+    }
+    return rows;
 }
 
 }  // namespace
@@ -51,25 +69,20 @@ MassLedger<Dim>::MassLedger(const Dictionary&, const FunctionContext<Dim>& conte
 template <int Dim>
 void MassLedger<Dim>::start(const State<Dim>& state) {
     account_.emplace(initialState(context_.root, state), readDensities(context_.root));
-    rows_.clear();
     causes_.clear();
     table_.reset();
+    rowsUntil_.reset();
     file_ = context_.folder / "fluidVolume.dat";
     const auto previous = context_.resumeAt ? previousTable(file_) : std::nullopt;
     if (!previous) return;
-    const TableText old = readTable(*previous, *context_.resumeAt);
-    const auto titles = old.head.empty() ? std::vector<std::string>{} : wordsOf(old.head.back().substr(1));
+    const auto titles = titlesOf(readTable(*previous, *context_.resumeAt));
     const auto fixed = massTitles({});
     for (const auto& title : fixed)
         if (std::find(titles.begin(), titles.end(), title) == titles.end()) return;  // another kind of table
     file_ = *previous;
+    rowsUntil_ = context_.resumeAt;
     for (const auto& title : titles)
         if (std::find(fixed.begin(), fixed.end(), title) == fixed.end()) causes_.push_back(title);
-    for (const auto& line : old.rows) {
-        const auto words = wordsOf(line);
-        Row& row = rows_.emplace_back();
-        for (std::size_t i = 0; i < std::min(words.size(), titles.size()); ++i) row[titles[i]] = words[i];
-    }
 }
 
 template <int Dim>
@@ -79,25 +92,28 @@ void MassLedger<Dim>::execute(const State<Dim>& state) {
     for (const auto& [cause, volume] : balance.causes) causes.insert(cause);
     const bool anew = !table_ || causes.size() != causes_.size();
     causes_.assign(causes.begin(), causes.end());
-    const auto titles = massTitles(causes_);
+    if (anew) beginTable();
     const auto values = massColumns(balance, causes_);
-    if (anew) {
-        table_.emplace(file_, context_.precision, state.time.value);
-        table_->comment("Fluid volume [m2 (2D), m3], mass [kg/m, kg] and cumulative change of volume by cause");
-        table_->header(titles);
-    }
-    Row& row = rows_.emplace_back();
-    for (std::size_t i = 0; i < titles.size(); ++i)
-        row[titles[i]] = i == 0 ? table_->time(values[i]) : table_->number(values[i]);
+    std::vector<std::string> row{table_->time(values[0])};
+    for (std::size_t i = 1; i < values.size(); ++i) row.push_back(table_->number(values[i]));
+    table_->row(row);
+    rowsUntil_ = state.time.value;
+}
+
+/// A cause that appears late brings a column for all rows.
+template <int Dim>
+void MassLedger<Dim>::beginTable() {
+    const auto rows = rowsUntil_ ? rowsOf(readTable(file_, *rowsUntil_)) : std::vector<Row>{};
+    const auto titles = massTitles(causes_);
     std::vector<std::vector<std::string>> columns;
-    for (std::size_t r = anew ? 0 : rows_.size() - 1; r < rows_.size(); ++r) {
+    for (const auto& row : rows) {
         columns.emplace_back();
-        for (const auto& title : titles) columns.back().push_back(rows_[r].count(title) ? rows_[r][title] : "0");
+        for (const auto& title : titles) columns.back().push_back(row.count(title) ? row.at(title) : "0");
     }
-    if (anew)
-        table_->replaceRows(columns);
-    else
-        table_->row(columns[0]);
+    table_.emplace(file_, context_.precision, 0.0);
+    table_->comment("Fluid volume [m2 (2D), m3], mass [kg/m, kg] and cumulative change of volume by cause");
+    table_->header(titles);
+    table_->replaceRows(columns);
 }
 
 template class MassLedger<2>;

@@ -2,7 +2,6 @@
 // `type massLedger`: the fluid's mass and where its changes come from.
 
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,12 +24,12 @@ public:
     void execute(const State<Dim>& state) override;
 
 private:
+    void beginTable();
+
     FunctionContext<Dim> context_;
     std::optional<MassAccount<Dim>> account_;
-    using Row = std::map<std::string, std::string>;  // title -> text
-
     std::filesystem::path file_;
-    std::vector<Row> rows_;  // kept: a cause that appears late brings a column for all rows
+    std::optional<double> rowsUntil_;  // the file holds the rows up to this time [s]
     std::vector<std::string> causes_;
     std::optional<Table> table_;
 };

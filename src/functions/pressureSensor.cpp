@@ -165,8 +165,9 @@ template <int Dim>
 void PressureSensor<Dim>::recall(const std::vector<double>& memory) {
     std::size_t at = 0;
     for (auto& filter : filters_) {
-        const auto count = at < memory.size() ? static_cast<std::size_t>(memory[at]) : 0;
-        if (count == 0 || at + 1 + count > memory.size()) return;
+        const double wanted = at < memory.size() ? memory[at] : 0;
+        if (!(wanted >= 1 && wanted < static_cast<double>(memory.size() - at))) return;
+        const auto count = static_cast<std::size_t>(wanted);
         const auto begin = memory.begin() + static_cast<std::ptrdiff_t>(at) + 1;
         filter.recall({begin, begin + static_cast<std::ptrdiff_t>(count)});
         at += 1 + count;

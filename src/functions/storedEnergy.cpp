@@ -74,7 +74,7 @@ double elasticEnergy(const Problem<Dim>& problem, const Controls& controls, cons
     const auto& nodes = state.nodes;
     const auto& cells = state.mesh.solid;
     const bool hyperelastic = controls.solid.stressUpdate == "neoHookean";
-    const bool split = controls.solid.formulation == "velocityPressure";
+    const bool split = splitsEnergy<Dim>(problem, controls.solid);
     const auto around = nodeToCells<Dim>(cells.nodes, nodes.size());
     const auto patches = makePatches<Dim>(cells.nodes, around, hyperelastic ? nodes.X : nodes.x,
                                           controls.integration.scheme());
@@ -88,9 +88,10 @@ double elasticEnergy(const Problem<Dim>& problem, const Controls& controls, cons
         const double trace = s[0] + s[1] + s[2];
         double squares = 0;
         for (int c = 0; c < nStress<Dim>; ++c) squares += (c < 3 ? 1 : 2) * s[c] * s[c];
-        const double density = !hyperelastic ? 0.5 / m.E * ((1 + m.nu) * squares - m.nu * trace * trace)
-                               : split       ? neoHookeanShearEnergy<Dim>(m, F[p])
-                                             : neoHookeanEnergy<Dim>(m, F[p]);
+        const double density = !hyperelastic       ? 0.5 / m.E * ((1 + m.nu) * squares - m.nu * trace * trace)
+                               : m.law != nullptr ? lawEnergy<Dim>(*m.law, F[p])
+                               : split            ? neoHookeanShearEnergy<Dim>(m, F[p])
+                                                  : neoHookeanEnergy<Dim>(m, F[p]);
         sum += pointVolume<Dim>(patches, p) * density;
     }
     if (!hyperelastic || !split) return sum;

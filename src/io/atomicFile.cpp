@@ -51,7 +51,18 @@ void flushToDisk(const fs::path& fileOrFolder) {
     if (result != 0 && !unsupported) fail("cannot write", fileOrFolder, reason);
 }
 
-void writeAtomically(const fs::path& file, const std::string& content) {
+void writeAtomically(const fs::path& name, const std::string& content) {
+    std::error_code unknown;
+    fs::path file = name;
+    if (fs::is_symlink(name, unknown)) file = fs::weakly_canonical(name, unknown);  // the link stays
+    if (unknown) file = name;
+    if (const auto status = fs::status(file, unknown); fs::exists(status) && fs::is_other(status)) {
+        errno = 0;
+        std::ofstream device(file, std::ios::binary);  // /dev/stdout, a pipe: nothing to be replaced
+        device << content << std::flush;
+        if (!device) fail("cannot write", file, errno != 0 ? systemReason() : "write error");
+        return;
+    }
     const fs::path staging = parentOf(file) / ("." + file.filename().string() + ".tmp");
     errno = 0;
     std::ofstream stream(staging, std::ios::binary);

@@ -7,7 +7,8 @@
 namespace pfem {
 
 /// Replace `file` by `content`: written beside it, brought to the disk, renamed.
-/// Throws UserError (naming the file and the system's reason) and leaves the old file when that fails.
+/// Throws UserError (naming the file and the system's reason) and leaves the old file when that fails. A device or pipe
+/// is not replaced but written; of a link, what it stands for.
 void writeAtomically(const std::filesystem::path& file, const std::string& content);
 
 /// Bring a file or a folder's list of names to the disk. Throws UserError.

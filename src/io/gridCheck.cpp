@@ -51,49 +51,77 @@ std::uint64_t wordAt(const char* bytes) {  // little endian, as this machine's
 
 /// One array's data: number of blocks, size of a block and of the last one before compression, compressed sizes.
 std::string damageOfBlocks(const std::string& file, std::uint64_t begin) {
-    if (begin > file.size() || file.size() - begin < 8) return "an array begins behind the end of the file";
+    if (begin > file.size() || file.size() - begin < 8) return "begins behind the end of the file";
     const std::uint64_t room = (file.size() - begin) / 8, blocks = wordAt(&file[begin]);
     if (blocks == 0) return "";
-    if (room < 3 || blocks > room - 3) return "an array has more blocks than the file can hold";
+    if (room < 3 || blocks > room - 3) return "has more blocks than the file can hold";
     const std::uint64_t size = wordAt(&file[begin + 8]), last = wordAt(&file[begin + 16]);
-    if (size == 0 || last > size) return "an array has blocks of a wrong size";
+    if (size == 0 || last > size) return "has blocks of a wrong size";
     std::uint64_t left = file.size() - begin - 8 * (3 + blocks);
     for (std::uint64_t k = 0; k < blocks; ++k) {
         const std::uint64_t compressed = wordAt(&file[begin + 24 + 8 * k]);
-        if (compressed > left) return "the file ends within an array";
+        if (compressed > left) return "goes on behind the end of the file";
         left -= compressed;
         const std::uint64_t whole = k + 1 == blocks && last > 0 ? last : size;
-        if (whole / densest > compressed) return "an array has blocks of a wrong size";
+        if (whole / densest > compressed) return "has blocks of a wrong size";
     }
     return "";
 }
 
+/// What is wrong with one tag `<...` and, of an array, with its data; `base`: where the data begin.
+Damage damageOfTag(const std::string& file, std::string tag, std::uint64_t base) {
+    if (tag.ends_with("/")) tag.back() = ' ';
+    const std::string name = tag.substr(1, tag.find_first_of(" \n\t", 1) - 1);
+    if (!isOneOf(name, elements)) return {"unknown element", 0, true};
+    const std::string array = fmt::format("array '{}' ", attribute(tag, "Name").value_or("without name"));
+    if (const auto type = attribute(tag, "type"); name.ends_with("Array") && (!type || !isOneOf(*type, types)))
+        return {array + "has an unknown type", 0, true};
+    for (const char* count : {"NumberOfPoints", "NumberOfCells", "NumberOfTuples", "NumberOfComponents"})
+        if (const auto text = attribute(tag, count)) {
+            const auto number = wholeNumber(*text);
+            if (!number || *number > densest * file.size()) return {fmt::format("{} is '{}'", count, *text)};
+        }
+    if (attribute(tag, "format") != "appended") return {};
+    const auto offset = wholeNumber(attribute(tag, "offset").value_or(""));
+    if (!offset || *offset > file.size()) return {array + "has no place in the file"};
+    const auto damage = damageOfBlocks(file, base + *offset);
+    return damage.empty() ? Damage{} : Damage{array + damage};
+}
+
 }  // namespace
 
-std::string damageOf(const std::string& file) {
+Damage damageOf(const std::string& file) {
     const auto appended = file.find("<AppendedData encoding=\"raw\">");
-    if (appended == std::string::npos || file.rfind(expectedStart, 0) != 0) return "not a file of this toolkit";
+    if (appended == std::string::npos || file.rfind(expectedStart, 0) != 0) return {"not a file of this toolkit", 1, true};
+    const auto lineAt = [&](std::size_t place) {
+        return 1 + static_cast<int>(std::count(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(place), '\n'));
+    };
     const auto base = file.find('_', appended);
-    if (base == std::string::npos) return "its data are missing";
-    const std::uint64_t most = densest * file.size();
+    if (base == std::string::npos) return {"its data are missing", lineAt(appended)};
     for (auto begin = file.find('<'); begin < appended; begin = file.find('<', begin + 1)) {
         const auto end = file.find('>', begin);
-        if (end == std::string::npos || end > appended + 40) return "its head is not complete";
-        std::string tag = file.substr(begin, end - begin);
-        if (tag.ends_with("/")) tag.back() = ' ';
-        const std::string name = tag.substr(1, tag.find_first_of(" \n\t", 1) - 1);
-        if (!isOneOf(name, elements)) return "unknown element";
-        if (const auto type = attribute(tag, "type"); name.ends_with("Array") && (!type || !isOneOf(*type, types)))
-            return "unknown type of an array";
-        for (const char* count : {"NumberOfPoints", "NumberOfCells", "NumberOfTuples", "NumberOfComponents"})
-            if (const auto text = attribute(tag, count)) {
-                const auto number = wholeNumber(*text);
-                if (!number || *number > most) return fmt::format("{} is '{}'", count, *text);
-            }
+        if (end == std::string::npos || end > appended + 40) return {"its head is not complete", lineAt(begin)};
+        Damage damage = damageOfTag(file, file.substr(begin, end - begin), base + 1);
+        damage.line = lineAt(begin);
+        if (!damage.reason.empty()) return damage;
+    }
+    return {};
+}
+
+std::string brokenArray(const std::string& file,
+                        const std::function<bool(const char* bytes, std::size_t n, std::size_t whole)>& opens) {
+    const auto appended = file.find("<AppendedData"), base = file.find('_', appended) + 1;
+    for (auto begin = file.find('<'); begin < appended; begin = file.find('<', begin + 1)) {
+        const std::string tag = file.substr(begin, file.find('>', begin) - begin);
         if (attribute(tag, "format") != "appended") continue;
-        const auto offset = wholeNumber(attribute(tag, "offset").value_or(""));
-        if (!offset || *offset > file.size()) return "an array has no place in the file";
-        if (const auto damage = damageOfBlocks(file, base + 1 + *offset); !damage.empty()) return damage;
+        const char* head = &file[base + *wholeNumber(*attribute(tag, "offset"))];
+        const std::uint64_t blocks = wordAt(head), size = blocks > 0 ? wordAt(head + 8) : 0, last = blocks > 0 ? wordAt(head + 16) : 0;
+        const char* data = head + 8 * (3 + blocks);
+        for (std::uint64_t k = 0; k < blocks; ++k) {
+            const std::uint64_t n = wordAt(head + 24 + 8 * k);
+            if (!opens(data, n, k + 1 == blocks && last > 0 ? last : size)) return attribute(tag, "Name").value_or("without name");
+            data += n;
+        }
     }
     return "";
 }

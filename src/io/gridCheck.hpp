@@ -1,13 +1,27 @@
 #pragma once
 // A look at a .vtu file before VTK reads it: VTK's reader trusts the counts in it, and dies of some that are wrong.
 
+#include <functional>
 #include <string>
 
 namespace pfem {
 
-/// What is wrong with a .vtu file that writeGrid is said to have made, or "": another encoding, elements or types that
-/// it does not write, more points, cells or tuples than the file can hold, blocks of data that are not within it or could
-/// not be decompressed to what is promised.
-std::string damageOf(const std::string& file);
+/// What is wrong, "" when nothing, and in which line of the file's head it is said. `foreign`: sound it may be, but
+/// writeGrid does not write such words.
+struct Damage {
+    std::string reason;
+    int line = 0;
+    bool foreign = false;
+};
+
+/// Of a .vtu file that writeGrid is said to have made: another encoding, elements or types that it does not write, more
+/// points, cells or tuples than the file can hold, blocks of data that are not within it or could not be decompressed to
+/// what is promised. What concerns an array names it.
+Damage damageOf(const std::string& file);
+
+/// The first array of a file without any such damage that has a block of data which `opens` (compressed bytes, their number,
+/// number of bytes that they stand for) cannot decompress; "" without.
+std::string brokenArray(const std::string& file,
+                        const std::function<bool(const char* bytes, std::size_t n, std::size_t whole)>& opens);
 
 }  // namespace pfem

@@ -4,29 +4,42 @@
 #include <vtkCommand.h>
 #include <vtkErrorCode.h>
 #include <vtkLogger.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkXMLUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridWriter.h>
+#include <vtkZLibDataCompressor.h>
 
 #include <cstring>
 #include <exception>
 #include <string>
+#include <vector>
 
 #include "base/error.hpp"
+#include "io/atomicFile.hpp"
+#include "io/gridCheck.hpp"
 
 namespace pfem {
 
 namespace {
 
-/// Keeps the first message that VTK sends to observers.
-class FirstError : public vtkCommand {
+/// "ERROR: In file.cxx, line 7\nvtkReader (0x55): Cannot read ...\n\n" without what concerns VTK's sources alone.
+std::string plainText(std::string message) {
+    if (const auto begin = message.find("): "); begin != std::string::npos) message.erase(0, begin + 3);
+    return message.substr(0, message.find('\n'));
+}
+
+/// Keeps the first messages that VTK sends to observers: the cause, then where it was met.
+class FirstErrors : public vtkCommand {
 public:
-    static FirstError* New() { return new FirstError; }
+    static FirstErrors* New() { return new FirstErrors; }
     void Execute(vtkObject*, unsigned long, void* data) override { add(static_cast<const char*>(data)); }
     void add(const char* text) {
-        if (message_.empty()) message_ = text != nullptr ? text : "unknown error";
+        const std::string plain = text != nullptr ? plainText(text) : "unknown error";
+        if (message_.size() < 300 && message_.find(plain) == std::string::npos)
+            message_ += (message_.empty() ? "" : " ") + plain;
     }
     const std::string& message() const { return message_; }
 
@@ -43,11 +56,11 @@ public:
     void DisplayWarningText(const char*) override {}
     void DisplayGenericWarningText(const char*) override {}
     void DisplayDebugText(const char*) override {}
-    vtkSmartPointer<FirstError> error_;
+    vtkSmartPointer<FirstErrors> error_;
 };
 vtkStandardNewMacro(SilentWindow)
 
-    /// VTK is silent while this lives; its first error can be asked for.
+    /// VTK is silent while this lives; its first errors can be asked for.
     class VtkErrors {
 public:
     VtkErrors() : previous_(vtkOutputWindow::GetInstance()) {
@@ -67,7 +80,7 @@ public:
     const std::string& message() const { return error_->message(); }
 
 private:
-    vtkSmartPointer<FirstError> error_ = vtkSmartPointer<FirstError>::New();
+    vtkSmartPointer<FirstErrors> error_ = vtkSmartPointer<FirstErrors>::New();
     vtkSmartPointer<vtkOutputWindow> previous_;
     vtkLogger::Verbosity verbosity_ = vtkLogger::GetCurrentVerbosityCutoff();
 };
@@ -82,6 +95,18 @@ std::string reasonOf(unsigned long code) {
     if (code == vtkErrorCode::OutOfDiskSpaceError) return "no space left on the disk";
     if (code < vtkErrorCode::FirstVTKErrorCode) return std::strerror(static_cast<int>(code));
     return "write error " + std::to_string(code);
+}
+
+/// "array 'p' is ": the first one that cannot be decompressed; "" when all can, and for files of others.
+std::string whereBroken(const std::filesystem::path& file) {
+    const std::string text = readText(file);
+    if (!damageOf(text).reason.empty()) return "";
+    const vtkNew<vtkZLibDataCompressor> zlib;
+    const std::string array = brokenArray(text, [&](const char* bytes, std::size_t n, std::size_t whole) {
+        std::vector<unsigned char> room(whole);
+        return zlib->Uncompress(reinterpret_cast<const unsigned char*>(bytes), n, room.data(), whole) == whole;
+    });
+    return array.empty() ? "" : "array '" + array + "' is ";
 }
 
 }  // namespace
@@ -118,15 +143,15 @@ vtkSmartPointer<vtkUnstructuredGrid> readGrid(const std::filesystem::path& file)
     } catch (const std::exception& error) {  // sizes that no memory can hold
         fail("cannot read", file, std::string("truncated or corrupt (") + error.what() + ")");
     }
-    if (!errors.message().empty() || reader->GetErrorCode() != vtkErrorCode::NoError ||
-        reader->GetOutput() == nullptr || reader->GetOutput()->GetPoints() == nullptr)
-        fail("cannot read", file, "truncated, corrupt or not a file of this toolkit");
+    if (!errors.message().empty() || reader->GetErrorCode() != vtkErrorCode::NoError)
+        fail("cannot read", file, whereBroken(file) + "truncated or corrupt (" + errors.message() + ")");
     vtkUnstructuredGrid* grid = reader->GetOutput();
+    if (grid == nullptr || grid->GetPoints() == nullptr) fail("cannot read", file, "array 'Points' is missing");
     if (vtkCellArray* cells = grid->GetCells(); cells != nullptr)
         if (!cells->IsValid() || cells->GetNumberOfCells() != grid->GetNumberOfCells() ||
             (grid->GetNumberOfCells() > 0 && (grid->GetCellTypesArray() == nullptr ||
                                               grid->GetCellTypesArray()->GetNumberOfValues() != grid->GetNumberOfCells())))
-            fail("cannot read", file, "its cells contradict each other");
+            fail("cannot read", file, "arrays 'offsets', 'connectivity' and 'types' contradict each other");
     return grid;
 }
 

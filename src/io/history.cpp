@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <sstream>
 
 #include "case/timeFolders.hpp"
@@ -30,7 +29,7 @@ std::optional<fs::path> previousTable(const fs::path& file) {
 }
 
 std::string timeText(double time, int precision) {
-    return fmt::format("{:.{}g}", time, std::max(12, precision));
+    return fmt::format("{:.{}g}", time, precision > 12 ? 17 : 12);
 }
 
 TableText readTable(const fs::path& file, double time) {

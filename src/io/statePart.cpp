@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "io/atomicFile.hpp"
 #include "io/gridArrays.hpp"
@@ -26,7 +27,7 @@ Points<Dim> toPoints(vtkDataArray* array, const CheckedArrays& checked, const st
         double xyz[3];
         array->GetTuple(static_cast<vtkIdType>(i), xyz);
         for (int c = 0; c < Dim; ++c) points[i][c] = xyz[c];
-        if (Dim == 2 && xyz[2] != 0.0) checked.fail("'" + name + "' leaves the plane z = 0 of a 2D case");
+        if (Dim == 2 && xyz[2] != 0.0) checked.fail("array '" + name + "' leaves the plane z = 0 of a 2D case");
     }
     return points;
 }
@@ -54,9 +55,9 @@ Nodes<Dim> readNodes(vtkUnstructuredGrid* grid, const std::filesystem::path& fil
     Nodes<Dim> nodes;
     nodes.id = arrays.integers("id");
     auto* positions = vtkDoubleArray::SafeDownCast(grid->GetPoints()->GetData());
-    if (positions == nullptr) arrays.fail("the points are not of type Float64");
+    if (positions == nullptr) arrays.fail("array 'Points' is not of type Float64");
     for (vtkIdType i = 0; i < positions->GetNumberOfValues(); ++i)
-        if (!std::isfinite(positions->GetValue(i))) arrays.fail("a point's position is not finite");
+        if (!std::isfinite(positions->GetValue(i))) arrays.fail("array 'Points' contains a value that is not finite");
     nodes.x = toPoints<Dim>(positions, arrays, "Points");
     nodes.v = points("U");
     nodes.a = points("a");
@@ -65,13 +66,17 @@ Nodes<Dim> readNodes(vtkUnstructuredGrid* grid, const std::filesystem::path& fil
     nodes.h = toScalars(arrays.doubles("h", 1));
     nodes.dropVolume = toScalars(arrays.doubles("dropVolume", 1));
     nodes.lostVolume = toScalars(arrays.doubles("lostVolume", 1));
-    for (const Id face : arrays.integers("wall")) nodes.wall.push_back(static_cast<int>(face));
+    for (const Id face : arrays.integers("wall")) {
+        if (face < -1 || face > std::numeric_limits<int>::max())
+            arrays.fail(fmt::format("array 'wall' contains {}, which is no face", face));
+        nodes.wall.push_back(static_cast<int>(face));
+    }
     nodes.sigma.assign(nodes.id.size(), Stress<Dim>::Zero());
     hasStress = arrays.found("sigma");
     if (hasStress) nodes.sigma = readStress<Dim>(arrays);
     for (std::size_t i = 0; i < nodes.id.size(); ++i)
         if (nodes.id[i] < 0 || (i > 0 && nodes.id[i] <= nodes.id[i - 1]))
-            arrays.fail("the node ids do not ascend");
+            arrays.fail("array 'id' does not ascend");
     return nodes;
 }
 
@@ -85,13 +90,13 @@ void readCells(vtkUnstructuredGrid* grid, Part<Dim>& part) {
         std::vector<Id> ids;
         for (vtkIdType i = 0; i < n; ++i) {
             if (points[i] < 0 || points[i] >= nPoints)
-                part.fail(fmt::format("cell {} refers to point {} of {}", e, points[i], nPoints));
+                part.fail(fmt::format("array 'connectivity': cell {} refers to point {} of {}", e, points[i], nPoints));
             ids.push_back(part.nodes.id[static_cast<std::size_t>(points[i])]);
         }
         std::vector<Id> sorted = ids;
         std::sort(sorted.begin(), sorted.end());
         if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
-            part.fail(fmt::format("cell {} has the same node twice", e));
+            part.fail(fmt::format("array 'connectivity': cell {} has the same node twice", e));
         part.types.push_back(grid->GetCellType(e));
         part.cells.push_back(std::move(ids));
     }
@@ -103,15 +108,15 @@ void readCells(vtkUnstructuredGrid* grid, Part<Dim>& part) {
 void checkSum(const std::filesystem::path& file, const std::string& name, const UniformTime& uniform) {
     const auto sum = uniform.checksums.find(name);
     const std::string text = readText(file);
-    if (sum == uniform.checksums.end())
-        throw UserError("cannot read \"" + file.string() + "\": uniform/time has no checksum for it",
-                        {file.string(), 0});
+    const Damage damage = damageOf(text);
+    const auto fail = [&](const std::string& reason) {
+        const std::string more = damage.reason.empty() ? "" : "; " + damage.reason;
+        throw UserError("cannot read \"" + file.string() + "\": " + reason + more, {file.string(), damage.line});
+    };
+    if (sum == uniform.checksums.end()) fail("entry 'checksums' in uniform/time has no word for it");
     if (sum->second != "none" && sum->second != checksumOf(text))
-        throw UserError(
-            "cannot read \"" + file.string() + "\": truncated or corrupt (not the checksum in uniform/time)",
-            {file.string(), 0});
-    if (const std::string damage = damageOf(text); !damage.empty())
-        throw UserError("cannot read \"" + file.string() + "\": truncated or corrupt (" + damage + ")", {file.string(), 0});
+        fail("truncated or corrupt, it does not fit entry 'checksums' in uniform/time");
+    if (!damage.reason.empty()) fail("truncated or corrupt");
 }
 
 }  // namespace
@@ -134,7 +139,7 @@ Part<Dim> readPart(const std::filesystem::path& folder, const std::string& name,
     if (name == stateGrid::boundaryFile) part.patchNames = field.words("patchNames");
     if (vtkDoubleArray* time = field.doubles("TimeValue", 1);
         time->GetNumberOfTuples() != 1 || time->GetValue(0) != uniform.time.value)
-        part.fail("its time is not the one in uniform/time");
+        part.fail("array 'TimeValue' is not the time in uniform/time");
     return part;
 }
 

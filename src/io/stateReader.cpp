@@ -14,15 +14,22 @@ using namespace stateGrid;
 
 namespace {
 
+/// The first array whose value at node j of b has other bits than at node i of a; nullptr when all agree.
 template <int Dim>
-bool sameBits(const Nodes<Dim>& a, std::size_t i, const Nodes<Dim>& b, std::size_t j) {
+const char* otherBits(const Nodes<Dim>& a, std::size_t i, const Nodes<Dim>& b, std::size_t j) {
     auto same = [](const auto& s, const auto& t) {
         return std::memcmp(s.data(), t.data(), sizeof(double) * static_cast<std::size_t>(s.size())) == 0;
     };
     auto equal = [](double s, double t) { return std::memcmp(&s, &t, sizeof s) == 0; };
-    return same(a.x[i], b.x[j]) && same(a.v[i], b.v[j]) && same(a.a[i], b.a[j]) && same(a.X[i], b.X[j]) &&
-           equal(a.p[i], b.p[j]) && equal(a.h[i], b.h[j]) && equal(a.dropVolume[i], b.dropVolume[j]) &&
-           equal(a.lostVolume[i], b.lostVolume[j]) && a.wall[i] == b.wall[j];
+    if (!same(a.x[i], b.x[j])) return "Points";
+    if (!same(a.v[i], b.v[j])) return "U";
+    if (!same(a.a[i], b.a[j])) return "a";
+    if (!same(a.X[i], b.X[j])) return "X";
+    if (!equal(a.p[i], b.p[j])) return "p";
+    if (!equal(a.h[i], b.h[j])) return "h";
+    if (!equal(a.dropVolume[i], b.dropVolume[j])) return "dropVolume";
+    if (!equal(a.lostVolume[i], b.lostVolume[j])) return "lostVolume";
+    return a.wall[i] != b.wall[j] ? "wall" : nullptr;
 }
 
 /// All parts' nodes by ascending id; the first part that has a node gives its values (solid first: it has
@@ -45,9 +52,9 @@ Nodes<Dim> mergeNodes(const std::vector<const Part<Dim>*>& parts) {
         const Nodes<Dim>& from = parts[s.part]->nodes;
         if (nodes.id.empty() || nodes.id.back() != s.id)
             nodes.append(from, static_cast<int>(s.node));
-        else if (!sameBits(nodes, nodes.id.size() - 1, from, s.node))
+        else if (const char* array = otherBits(nodes, nodes.id.size() - 1, from, s.node))
             parts[s.part]->fail(
-                fmt::format("node {} has other values than in another file of the folder", s.id));
+                fmt::format("array '{}': node {} has another value than in another file of the folder", array, s.id));
     }
     return nodes;
 }
@@ -70,9 +77,9 @@ Cells<Dim> simplicesOf(const Part<Dim>& part, const Nodes<Dim>& nodes, bool with
     for (std::size_t e = 0; e < part.cells.size(); ++e) {
         if (withParticles && part.types[e] == VTK_VERTEX) continue;
         if (part.types[e] != simplexType<Dim> || part.cells[e].size() != Dim + 1)
-            part.fail(fmt::format("cell {} has the unexpected type {}", e, part.types[e]));
+            part.fail(fmt::format("array 'types': cell {} has the unexpected type {}", e, part.types[e]));
         if (part.values[e] < 0 || part.values[e] >= static_cast<Id>(part.materials.size()))
-            part.fail(fmt::format("cell {} has material {} of {}", e, part.values[e], part.materials.size()));
+            part.fail(fmt::format("array 'material': cell {} has material {} of {}", e, part.values[e], part.materials.size()));
         cells.nodes.push_back(toIndices<Dim + 1>(part.cells[e], nodes));
         cells.material.push_back(static_cast<int>(part.values[e]));
     }
@@ -85,9 +92,9 @@ std::vector<Patch<Dim>> patchesOf(const Part<Dim>& part, const Nodes<Dim>& nodes
     for (const auto& name : part.patchNames) patches.push_back({name, {}});
     for (std::size_t f = 0; f < part.cells.size(); ++f) {
         if (part.types[f] != faceType<Dim> || part.cells[f].size() != Dim)
-            part.fail(fmt::format("face {} has the unexpected type {}", f, part.types[f]));
+            part.fail(fmt::format("array 'types': face {} has the unexpected type {}", f, part.types[f]));
         if (part.values[f] < 0 || part.values[f] >= static_cast<Id>(patches.size()))
-            part.fail(fmt::format("face {} belongs to patch {} of {}", f, part.values[f], patches.size()));
+            part.fail(fmt::format("array 'patch': face {} belongs to patch {} of {}", f, part.values[f], patches.size()));
         patches[static_cast<std::size_t>(part.values[f])].faces.push_back(
             toIndices<Dim>(part.cells[f], nodes));
     }
@@ -103,7 +110,7 @@ State<Dim> readState(const std::filesystem::path& folder) {
     const auto solid = readPart<Dim>(folder, solidFile, "material", uniform);
     const auto boundary = readPart<Dim>(folder, boundaryFile, "patch", uniform);
     if (!solid.hasStress) solid.fail("array 'sigma' is missing");
-    if (solid.materials != fluid.materials) solid.fail("its materials are not those of " + fluidFile);
+    if (solid.materials != fluid.materials) solid.fail("array 'materials' is not that of " + fluidFile);
 
     State<Dim> state;
     state.time = uniform.time;
@@ -112,7 +119,7 @@ State<Dim> readState(const std::filesystem::path& folder) {
     state.memory = uniform.memory;
     state.nodes = mergeNodes<Dim>({&solid, &fluid, &boundary});
     if (!state.nodes.id.empty() && state.nodes.id.back() >= state.nextId)
-        fluid.fail(fmt::format("node {} is not below nextId {} in uniform/time", state.nodes.id.back(),
+        fluid.fail(fmt::format("array 'id': node {} is not below nextId {} in uniform/time", state.nodes.id.back(),
                                state.nextId));
     state.mesh.fluid = simplicesOf(fluid, state.nodes, true);
     state.mesh.solid = simplicesOf(solid, state.nodes, false);
@@ -122,8 +129,8 @@ State<Dim> readState(const std::filesystem::path& folder) {
     int faces = 0;
     for (const auto& patch : state.mesh.patches) faces += static_cast<int>(patch.faces.size());
     for (int i = 0; i < state.nodes.size(); ++i)
-        if (state.nodes.wall[i] < -1 || state.nodes.wall[i] >= faces)
-            fluid.fail(fmt::format("node {} slides on wall face {} of {}", state.nodes.id[i], state.nodes.wall[i], faces));
+        if (state.nodes.wall[i] >= faces)
+            fluid.fail(fmt::format("array 'wall': node {} slides on wall face {} of {}", state.nodes.id[i], state.nodes.wall[i], faces));
     return state;
 }
 

@@ -37,9 +37,15 @@ double readFinite(const Dictionary& dict, const std::string& key) {
     return value;
 }
 
-Id readWhole(const Dictionary& dict, const std::string& key) {
-    const auto value = dict.get<std::int64_t>(key);
+double readStep(const Dictionary& dict, const std::string& key) {
+    const double value = readFinite(dict, key);
     if (value < 0) dict.fatal(key, "'" + key + "' must not be negative");
+    return value;
+}
+
+Id readWhole(const Dictionary& dict, const std::string& key, Id most) {
+    const auto value = dict.get<std::int64_t>(key);
+    if (value < 0 || value > most) dict.fatal(key, fmt::format("'{}' must be from 0 to {}", key, most));
     return value;
 }
 
@@ -79,10 +85,11 @@ UniformTime readUniformTime(const std::filesystem::path& folder) {
     const Dictionary dict = Dictionary::read(folder / "uniform" / "time");
     UniformTime uniform;
     uniform.time.value = readFinite(dict, "value");
-    uniform.time.index = static_cast<int>(readWhole(dict, "index"));
-    uniform.time.deltaT = readFinite(dict, "deltaT");
-    uniform.time.deltaT0 = readFinite(dict, "deltaT0");
-    uniform.nextId = readWhole(dict, "nextId");
+    uniform.time.index = static_cast<int>(readWhole(dict, "index", 2000000000));
+    uniform.time.deltaT = readStep(dict, "deltaT");
+    uniform.time.deltaT0 = readStep(dict, "deltaT0");
+    uniform.name = dict.get("name", "");
+    uniform.nextId = readWhole(dict, "nextId", Id{1} << 60);
     const Dictionary ledger = dict.subDict("ledger");
     for (const auto& cause : ledger.keys()) uniform.ledger[cause] = readFinite(ledger, cause);
     const Dictionary sums = dict.subDict("checksums");

@@ -17,6 +17,7 @@ struct UniformTime {
     std::map<std::string, double> ledger;          // cumulative fluid volume by cause [m2 (2D), m3]
     std::map<std::string, std::string> checksums;  // of the folder's files, by checksumOf(); or "none"
     std::map<std::string, std::vector<double>> memory = {};  // of function objects
+    std::string name = {};                                   // of the folder, as it was written; only read
 };
 
 /// The text of the file in the folder named `folderName`; numbers in the shortest form that reads back to

@@ -84,6 +84,11 @@ Stress<Dim> rotatedMidpoint(const Hypoelastic& material, const Stress<Dim>& sigm
 }
 
 template <int Dim>
+Tensor<Dim> halfRotation(const Tensor<Dim>& increment) {
+    return rotation<Dim>(0.5 * (increment - increment.transpose()), 0.5);
+}
+
+template <int Dim>
 Stress<Dim> paperUpdate(const Hypoelastic& material, const Stress<Dim>& sigmaOld, const Tensor<Dim>& gradV,
                         double dt) {
     const Tensor<Dim> De = 0.5 * dt * (gradV + gradV.transpose());
@@ -98,6 +103,7 @@ Stress<Dim> paperUpdate(const Hypoelastic& material, const Stress<Dim>& sigmaOld
     template Stress<D> packStress<D>(const Tensor<D>&, double);                                              \
     template Stress<D> elasticStress<D>(const Hypoelastic&, const Tensor<D>&);                               \
     template Stress<D> rotatedMidpoint<D>(const Hypoelastic&, const Stress<D>&, const Tensor<D>&);           \
+    template Tensor<D> halfRotation<D>(const Tensor<D>&);                                                    \
     template Stress<D> paperUpdate<D>(const Hypoelastic&, const Stress<D>&, const Tensor<D>&, double);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)

@@ -35,6 +35,10 @@ template <int Dim>
 Stress<Dim> rotatedMidpoint(const Hypoelastic& material, const Stress<Dim>& sigmaOld,
                             const Tensor<Dim>& increment);
 
+/// Half of that rotation, R^{1/2}.
+template <int Dim>
+Tensor<Dim> halfRotation(const Tensor<Dim>& increment);
+
 /// (39) as printed: sigma = sigma^n + C : (dt d(v^{n+1})), end-point gradients, no rotation. For comparison.
 template <int Dim>
 Stress<Dim> paperUpdate(const Hypoelastic& material, const Stress<Dim>& sigmaOld, const Tensor<Dim>& gradV,

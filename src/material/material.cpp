@@ -1,5 +1,7 @@
 #include "material/material.hpp"
 
+#include <algorithm>
+
 #include "dictionary/entries.hpp"
 
 namespace pfem {
@@ -59,13 +61,19 @@ std::vector<Material> readMaterials(const Dictionary& dict) {
         const Dictionary& entry = dict.subDict(key);
         Material m;
         m.name = key;
-        const std::string type = entry.choice("type", {"newtonian", "bingham", "herschelBulkley", "hypoelastic"});
-        if (type != "hypoelastic") {
+        const std::vector<std::string> fluids = {"newtonian", "bingham", "herschelBulkley"};
+        std::vector<std::string> types = fluids;
+        types.push_back("hypoelastic");
+        for (const auto& added : addedSolidLaws()) types.push_back(added);
+        const std::string type = entry.choice("type", types);
+        if (std::find(fluids.begin(), fluids.end(), type) != fluids.end()) {
             m.kind = MaterialKind::fluid;
             m.fluid = readFluid(entry, type);
         } else {
             m.kind = MaterialKind::solid;
             m.solid = readHypoelastic(entry);
+            if (type != "hypoelastic") m.law = makeSolidLaw(type, entry, m.solid);
+            m.solid.law = m.law.get();
         }
         materials.push_back(m);
     }

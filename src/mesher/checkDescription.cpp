@@ -125,6 +125,19 @@ void checkCount(const MeshDescription& mesh) {
         const double h = wall.meshSize > 0 ? wall.meshSize : mesh.meshSize;
         for (int e = 0; e < wall.nEdges() && h > 0; ++e) total += edgeCurve(wall, e).length() / h;
     }
+    Vec<2> low = mesh.bodies.front().points.front(), high = low;
+    for (const auto& body : mesh.bodies)
+        for (const auto& x : body.points) low = low.cwiseMin(x), high = high.cwiseMax(x);
+    for (Refinement refinement : mesh.refinements) {
+        if (refinement.box)
+            refinement.points = {refinement.points[0].cwiseMax(low).cwiseMin(high), refinement.points[1].cwiseMax(low).cwiseMin(high)};
+        const double count = refinement.area() / (std::sqrt(3.0) / 4 * refinement.meshSize * refinement.meshSize);
+        if (count > 2e7)
+            throw UserError(fmt::format("Refinement '{}' would have about {:.1e} triangles. Check its meshSize and the "
+                                        "units (metres).",
+                                        refinement.name, count),
+                            refinement.where);
+    }
     if (total > 2e7)
         throw UserError(fmt::format("The mesh would have about {:.1e} triangles and wall faces. "
                                     "Check meshSize and the units (metres).",

@@ -50,16 +50,39 @@ struct Body : Outline {
     std::array<int, 2> cells = {0, 0};  // along edges 0-1 and 1-2; 0: from meshSize
     std::vector<std::string> holes;     // bodies whose outlines are cut out of this one
     std::map<std::string, std::vector<std::array<int, 2>>> patches;  // name -> edges as pairs of vertices
+    std::string group;                              // of a mesh file: its triangles
+    std::map<std::string, std::string> edgeGroups;  // of a mesh file: patch -> group of edges
 };
 
 struct Wall : Outline {
     bool moving = false;  // it shares no node with other walls, so that it can leave them
+    std::string group;    // of a mesh file: its edges; "": a line of points
+};
+
+/// A place of finer mesh: a box, or all that is near a line of points.
+struct Refinement {
+    std::string name;
+    bool box = true;
+    Points<2> points;     // [m]; of a box: its lower left and upper right corner
+    double distance = 0;  // from the line [m]
+    double meshSize = 0;  // [m]
+    Location where;
+
+    /// Distance of x from the place, 0 inside [m].
+    double away(const Vec<2>& x) const;
+    double area() const;  // about [m2]
 };
 
 struct MeshDescription {
     double meshSize = 0;  // default target edge length [m]
     std::vector<Body> bodies;
     std::vector<Wall> walls;
+    std::vector<Refinement> refinements;
+
+    std::string meshFile;                 // of another program, relative to the case; "": mesh the polygons
+    std::string cellArray = "material";  // of a .vtu: its groups
+    double scale = 1;                     // from the file's lengths to metres
+    Location meshFileAt;
 };
 
 }  // namespace pfem

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesher/outline.hpp"
 
 namespace pfem {
 
@@ -68,7 +67,7 @@ std::string meshReport(const MeshDescription& description, const MeshResult& res
         const auto& meshed = result.bodies[b];
         const auto q = triangleQuality(state.nodes, fluid ? state.mesh.fluid : state.mesh.solid, meshed.first,
                                        meshed.last);
-        const double h = bodySize(description, body);
+        const double h = meshed.size;
         text += fmt::format(
             "{:<16s} {:<6s} {:<12s} {:>9d} {:>12.6g} {:>10g} {:>6.1f} {:>6.1f}   {:.2f} {:.2f} {:.2f}\n",
             body.name, fluid ? "fluid" : "solid", body.material, q.count, q.area, h, q.minAngle,

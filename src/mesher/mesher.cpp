@@ -2,37 +2,13 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 
-#include "mesh/standing.hpp"
 #include "mesher/checks.hpp"
-#include "mesher/hilbertOrder.hpp"
-#include "mesher/wallLines.hpp"
+#include "mesher/draft.hpp"
 
 namespace pfem {
 
 namespace {
-
-/// Mesh under construction: boundary nodes first, then the inner points body by body.
-struct Draft {
-    Points<2> x, v;
-    std::vector<double> h;
-    Mesh<2> mesh;
-};
-
-int materialIndex(Mesh<2>& mesh, const std::string& name) {
-    const auto it = std::find(mesh.materials.begin(), mesh.materials.end(), name);
-    if (it != mesh.materials.end()) return static_cast<int>(it - mesh.materials.begin());
-    mesh.materials.push_back(name);
-    return static_cast<int>(mesh.materials.size()) - 1;
-}
-
-Patch<2>& patchNamed(Mesh<2>& mesh, const std::string& name) {
-    for (auto& patch : mesh.patches)
-        if (patch.name == name) return patch;
-    mesh.patches.push_back({name, {}});
-    return mesh.patches.back();
-}
 
 void addFaces(Patch<2>& patch, const std::vector<int>& nodes, bool forward) {
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
@@ -64,7 +40,7 @@ MeshedBody addBody(Draft& draft, const MeshDescription& description, int index, 
         cells.nodes.push_back({global[t[0]], global[t[1]], global[t[2]]});
         cells.material.push_back(material);
     }
-    return {first, cells.size(), region.area(), region.perimeter()};
+    return {first, cells.size(), region.area(), region.perimeter(), region.h};
 }
 
 /// Faces of the walls (none under a solid) and of the bodies' named patches.
@@ -90,56 +66,6 @@ void addPatches(Draft& draft, const MeshDescription& description, const Arrangem
                         addFaces(patchNamed(draft.mesh, name), boundary.ofPiece[p], use.forward);
         }
     }
-}
-
-/// Walls do not let the fluid through: its initial velocity there is the part along the wall.
-void alignWithWalls(Draft& draft, const MeshDescription& description) {
-    for (const auto& wall : description.walls) {
-        for (const auto& [a, b] : patchNamed(draft.mesh, wall.name).faces) {
-            const Vec<2> along = (draft.x[b] - draft.x[a]).normalized();
-            for (const int i : {a, b}) {
-                const Vec<2> part = along * along.dot(draft.v[i]);
-                draft.v[i] = part;
-            }
-        }
-    }
-}
-
-void renumber(Draft& draft) {
-    const auto order = hilbertOrder(draft.x);
-    std::vector<int> rank(order.size());
-    Draft sorted;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        rank[order[i]] = static_cast<int>(i);
-        sorted.x.push_back(draft.x[order[i]]);
-        sorted.v.push_back(draft.v[order[i]]);
-        sorted.h.push_back(draft.h[order[i]]);
-    }
-    draft.x.swap(sorted.x);
-    draft.v.swap(sorted.v);
-    draft.h.swap(sorted.h);
-    for (auto* cells : {&draft.mesh.fluid, &draft.mesh.solid}) {
-        for (auto& t : cells->nodes) {
-            for (int& i : t) i = rank[i];
-            std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-        }
-    }
-    for (auto& patch : draft.mesh.patches)
-        for (auto& face : patch.faces)
-            for (int& i : face) i = rank[i];
-}
-
-State<2> toState(Draft&& draft) {
-    State<2> state;
-    const int n = static_cast<int>(draft.x.size());
-    state.nodes.resize(n);
-    for (int i = 0; i < n; ++i) state.nodes.id[i] = i;
-    state.nodes.x = state.nodes.X = std::move(draft.x);
-    state.nodes.v = std::move(draft.v);
-    state.nodes.h = std::move(draft.h);
-    state.mesh = std::move(draft.mesh);
-    state.nextId = n;
-    return state;
 }
 
 }  // namespace
@@ -172,24 +98,7 @@ MeshResult buildMesh(const MeshDescription& description) {
             if (description.bodies[b].type == type)
                 result.bodies[b] = addBody(draft, description, b, regions[b], size);
     addPatches(draft, description, arrangement, boundary);
-    alignWithWalls(draft, description);
-    renumber(draft);
-    for (int b = 0; b < nBodies; ++b) {
-        auto& cells = description.bodies[b].type == BodyType::fluid ? draft.mesh.fluid : draft.mesh.solid;
-        std::sort(cells.nodes.begin() + result.bodies[b].first, cells.nodes.begin() + result.bodies[b].last);
-    }
-    result.state = toState(std::move(draft));
-    std::vector<std::string> walls, moving;
-    for (const auto& wall : description.walls) {
-        walls.push_back(wall.name);
-        if (wall.moving) moving.push_back(wall.name);
-    }
-    separateWalls(walls, moving, result.state);
-    straightenWalls(walls, result.state);
-    std::vector<bool> isWall;
-    for (const auto& patch : result.state.mesh.patches)
-        isWall.push_back(std::find(walls.begin(), walls.end(), patch.name) != walls.end());
-    standOnWalls(result.state.mesh, isWall, result.state.nodes);
+    result.state = finishMesh(std::move(draft), description, result.bodies);
     return result;
 }
 

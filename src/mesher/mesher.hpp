@@ -11,6 +11,7 @@ struct MeshedBody {
     int first = 0, last = 0;  // its fluid or solid cells: first .. last-1
     double area = 0;          // of its polygon [m2]
     double perimeter = 0;     // [m]
+    double size = 0;          // wanted edge length [m]
 };
 
 struct MeshResult {

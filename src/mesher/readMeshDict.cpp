@@ -70,14 +70,19 @@ void readOutline(const Dictionary& dict, const std::string& pointsKey, Outline& 
     outline.meshSize = readSize(dict);
 }
 
-Body readBody(const Dictionary& dict, const std::vector<std::string>& materials) {
-    Body body;
-    readOutline(dict, "vertices", body);
+/// What a body is, whatever gives its shape.
+void readNature(const Dictionary& dict, const std::vector<std::string>& materials, Body& body) {
     body.type = dict.choice("type", {"fluid", "solid"}) == "fluid" ? BodyType::fluid : BodyType::solid;
     body.material = dict.get<std::string>("material");
     if (std::find(materials.begin(), materials.end(), body.material) == materials.end())
         dict.fatal("material", notValid(body.material, "material", materials));
     readVelocity(dict, body);
+}
+
+Body readBody(const Dictionary& dict, const std::vector<std::string>& materials) {
+    Body body;
+    readOutline(dict, "vertices", body);
+    readNature(dict, materials, body);
     const std::vector<std::string> patterns = {"unstructured", "checkerboard", "oneWay", "crossed"};
     const auto pattern = dict.choice("pattern", patterns, "unstructured");
     body.pattern =
@@ -101,20 +106,92 @@ Body readBody(const Dictionary& dict, const std::vector<std::string>& materials)
     return body;
 }
 
+/// A group's name may be a number: that of a physical group without a name.
+std::string readGroupName(const Dictionary& dict, const std::string& otherwise) {
+    if (!dict.found("group")) return otherwise;
+    TokenReader tokens = dict.reader("group");
+    if (!tokens.peek().isNumber()) return dict.get<std::string>("group");
+    return std::to_string(dict.get<std::int64_t>("group"));
+}
+
+/// Name, places for error messages, meshSize and group of a body or a wall of a mesh file.
+void readGroup(const Dictionary& dict, Outline& outline, std::string& group) {
+    outline.name = dict.keyword();
+    outline.places[""] = dict.where();
+    for (const auto& key : dict.keys()) outline.places[key] = dict.where(key);
+    outline.meshSize = readSize(dict);
+    group = readGroupName(dict, outline.name);
+}
+
+Body readFileBody(const Dictionary& dict, const std::vector<std::string>& materials) {
+    Body body;
+    readGroup(dict, body, body.group);
+    readNature(dict, materials, body);
+    if (dict.found("vertices")) dict.fatal("vertices", "A body of a mesh file has no vertices but a group");
+    const Dictionary patches = dict.subDictOrEmpty("patches");
+    for (const auto& name : patches.keys())
+        body.edgeGroups[name] = readGroupName(patches.subDict(name), name);
+    return body;
+}
+
+void readMeshFileEntries(const Dictionary& dict, double meshSize, MeshDescription& mesh) {
+    mesh.meshFile = dict.get<std::string>("meshFile");
+    mesh.meshFileAt = dict.where("meshFile");
+    mesh.cellArray = dict.get<std::string>("cellArray", mesh.cellArray);
+    mesh.scale = dict.get("scale", mesh.scale);
+    if (!(mesh.scale > 0)) dict.fatal("scale", fmt::format("scale must be positive, not {:g}", mesh.scale));
+    if (meshSize > 0) dict.fatal("meshFile", "-h has no meaning: the mesh is that of a file");
+    if (dict.found("refinements")) dict.fatal("refinements", "The mesh of a file cannot be refined here");
+}
+
+/// refinements { splash { type box; min (0.4 0); max (0.6 0.2); meshSize 0.004; } }
+Refinement readRefinement(const Dictionary& dict) {
+    Refinement refinement;
+    refinement.name = dict.keyword();
+    refinement.where = dict.where();
+    refinement.box = dict.choice("type", {"box", "curve"}) == "box";
+    refinement.meshSize = readSize(dict);
+    if (refinement.meshSize == 0) dict.fatal("meshSize", "A refinement needs a meshSize");
+    const auto point = [&](const std::string& key) { return toPoint(dict, key, dict.get<std::vector<double>>(key)); };
+    if (refinement.box) {
+        refinement.points = {point("min"), point("max")};
+        if (!((refinement.points[1] - refinement.points[0]).minCoeff() > 0))
+            dict.fatal("max", "'max' must be above and to the right of 'min'");
+        return refinement;
+    }
+    for (const auto& c : dict.get<std::vector<std::vector<double>>>("points"))
+        refinement.points.push_back(toPoint(dict, "points", c));
+    if (refinement.points.size() < 2) dict.fatal("points", "A curve needs two points at least");
+    for (std::size_t i = 0; i + 1 < refinement.points.size(); ++i)
+        if (refinement.points[i] == refinement.points[i + 1]) dict.fatal("points", "The curve has the same point twice");
+    refinement.distance = dict.get("distance", 0.0);
+    if (!(refinement.distance >= 0)) dict.fatal("distance", "distance must not be negative");
+    return refinement;
+}
+
 }  // namespace
 
 MeshDescription readMeshDict(const Dictionary& dict, const std::vector<std::string>& materials,
                              double meshSize) {
     MeshDescription mesh;
-    mesh.meshSize = readSize(dict);
-    if (meshSize > 0) mesh.meshSize = meshSize;
-    for (const auto& body : dict.dictList("bodies")) mesh.bodies.push_back(readBody(body, materials));
+    const bool fromFile = dict.found("meshFile");
+    if (fromFile) readMeshFileEntries(dict, meshSize, mesh);
+    if (!fromFile) mesh.meshSize = readSize(dict);
+    if (!fromFile && meshSize > 0) mesh.meshSize = meshSize;
+    for (const auto& body : dict.dictList("bodies"))
+        mesh.bodies.push_back(fromFile ? readFileBody(body, materials) : readBody(body, materials));
     if (mesh.bodies.empty()) dict.fatal("bodies", "There is no body to mesh");
+    if (!fromFile && dict.found("refinements"))
+        for (const auto& refinement : dict.dictList("refinements")) mesh.refinements.push_back(readRefinement(refinement));
     if (!dict.found("walls")) return mesh;
     for (const auto& wallDict : dict.dictList("walls")) {
         Wall wall;
-        readOutline(wallDict, "points", wall);
-        wall.closed = wallDict.get("closed", false);
+        if (fromFile && !wallDict.found("points")) {
+            readGroup(wallDict, wall, wall.group);
+        } else {
+            readOutline(wallDict, "points", wall);
+            wall.closed = wallDict.get("closed", false);
+        }
         wall.moving = wallDict.get("moving", false);
         mesh.walls.push_back(wall);
     }

@@ -6,7 +6,7 @@
 
 namespace pfem {
 
-SizeField::SizeField(const MeshDescription& mesh, const Arrangement& arrangement) {
+SizeField::SizeField(const MeshDescription& mesh, const Arrangement& arrangement) : refinements_(mesh.refinements) {
     for (const auto& body : mesh.bodies) bodySize_.push_back(bodySize(mesh, body));
     const double fallback = mesh.meshSize > 0   ? mesh.meshSize
                             : bodySize_.empty() ? 0
@@ -45,15 +45,21 @@ double SizeField::at(const Vec<2>& x, double cap) const {
         const double squared = (x - source.x).squaredNorm();
         if (squared < reach * reach) h = source.h + growth_ * std::sqrt(squared);
     }
+    for (const auto& refinement : refinements_)
+        if (refinement.meshSize < h) h = std::min(h, refinement.meshSize + growth_ * refinement.away(x));
     return h;
 }
 
 double SizeField::smallest() const {
-    return *std::min_element(pieceSize_.begin(), pieceSize_.end());
+    double h = *std::min_element(pieceSize_.begin(), pieceSize_.end());
+    for (const auto& refinement : refinements_) h = std::min(h, refinement.meshSize);
+    return h;
 }
 
 bool SizeField::graded(double cap) const {
-    return !sources_.empty() && sources_.front().h < 0.95 * cap;
+    const bool finer = std::any_of(refinements_.begin(), refinements_.end(),
+                                   [&](const Refinement& refinement) { return refinement.meshSize < 0.95 * cap; });
+    return finer || (!sources_.empty() && sources_.front().h < 0.95 * cap);
 }
 
 namespace {

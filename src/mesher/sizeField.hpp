@@ -1,5 +1,5 @@
 #pragma once
-// The wanted edge length everywhere: a body's own size, growing gently away from finer boundaries.
+// The wanted edge length everywhere: a body's own size, growing gently away from finer boundaries and refinements.
 
 #include "mesher/arrangement.hpp"
 
@@ -28,7 +28,8 @@ private:
     };
     static constexpr double growth_ = 0.2;  // increase of size per distance
     std::vector<double> pieceSize_, bodySize_;
-    std::vector<Source> sources_;  // sorted by h
+    std::vector<Source> sources_;           // sorted by h
+    std::vector<Refinement> refinements_;
 };
 
 /// Nodes of all pieces: those of piece i run from Piece::a to Piece::b in `ofPiece[i]`.

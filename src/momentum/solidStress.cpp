@@ -1,5 +1,6 @@
 #include "momentum/solidStress.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "material/hypoelastic.hpp"
@@ -38,6 +39,13 @@ double dampingTime(const Hypoelastic& material, double alpha, double h) {
 }
 
 template <int Dim>
+bool splitsEnergy(const Problem<Dim>& problem, const SolidControls& controls) {
+    return controls.formulation == "velocityPressure" &&
+           std::none_of(problem.materials.begin(), problem.materials.end(),
+                        [](const Material& m) { return m.kind == MaterialKind::solid && m.solid.law != nullptr; });
+}
+
+template <int Dim>
 const Hypoelastic& solidMaterial(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
                                  int point) {
     return problem.solid(cells.material[cellOfPoint<Dim>(patches, point)]);
@@ -69,18 +77,22 @@ std::vector<Stress<Dim>> updatedStress(const Problem<Dim>& problem, const SolidC
     using Law = const Hypoelastic&;
     using Old = const Stress<Dim>&;
     using Gradient = const Tensor<Dim>&;
-    const bool split = controls.formulation == "velocityPressure";
+    const bool split = splitsEnergy<Dim>(problem, controls);
     if (controls.stressUpdate == "paper") {
         update(trial.v, [&](Law m, Old s, Gradient L) { return paperUpdate<Dim>(m, s, L, dt); });
     } else if (controls.stressUpdate == "neoHookean") {
         update(trial.x, [&](Law m, Old, Gradient F) {
-            return split ? neoHookeanShear<Dim>(m, F) : neoHookeanStress<Dim>(m, F);
+            return m.law != nullptr ? lawTotal<Dim>(*m.law, F)
+                   : split          ? neoHookeanShear<Dim>(m, F)
+                                    : neoHookeanStress<Dim>(m, F);
         });
     } else {
         Points<Dim> increment(old.x.size());
         for (std::size_t i = 0; i < increment.size(); ++i)  // x - x^n without its cancellation
             increment[i] = 0.5 * dt * (old.v[i] + trial.v[i]);
-        update(increment, [](Law m, Old s, Gradient du) { return rotatedMidpoint<Dim>(m, s, du); });
+        update(increment, [](Law m, Old s, Gradient du) {
+            return m.law != nullptr ? lawMidpoint<Dim>(*m.law, s, du) : rotatedMidpoint<Dim>(m, s, du);
+        });
     }
     return sigma;
 }
@@ -107,7 +119,7 @@ SolidStress<Dim> solidStress(const Problem<Dim>& problem, const SolidControls& c
     SolidStress<Dim> stress;
     stress.point = updatedStress<Dim>(problem, controls, cells, patches, old, trial, dt);
     if (controls.formulation == "velocity") return stress;
-    if (controls.stressUpdate == "neoHookean") {
+    if (controls.stressUpdate == "neoHookean" && splitsEnergy<Dim>(problem, controls)) {
         stress.pressure = volumeRatio<Dim>(patches, trial.x);
         const auto nodes = withNodalPoints<Dim>(patches);
         for (int i = 0; i < nodes.nNodes(); ++i)
@@ -154,6 +166,7 @@ void storeSolidStress(const Patches<Dim>& patches, SolidStress<Dim> stress, std:
 
 #define PFEM_INSTANTIATE(D)                                                                                        \
     template const Hypoelastic& solidMaterial<D>(const Problem<D>&, const Cells<D>&, const Patches<D>&, int);      \
+    template bool splitsEnergy<D>(const Problem<D>&, const SolidControls&);                                          \
     template std::vector<double> volumeRatio<D>(const Patches<D>&, const Points<D>&);                              \
     template Points<D> gradientPositions<D>(const SolidControls&, const Nodes<D>&, const Nodes<D>&);               \
     template SolidStress<D> solidStress<D>(const Problem<D>&, const SolidControls&, const Cells<D>&,               \

@@ -22,6 +22,11 @@ Points<Dim> gradientPositions(const SolidControls& controls, const Nodes<Dim>& o
 template <int Dim>
 std::vector<double> volumeRatio(const Patches<Dim>& reference, const Points<Dim>& x);
 
+/// Is the neo-Hookean energy counted in two parts, that of mu at the stress points and that of lambda at the nodes
+/// (velocityPressure)? Not where a law from outside is used: what its parts are is not known.
+template <int Dim>
+bool splitsEnergy(const Problem<Dim>& problem, const SolidControls& controls);
+
 /// The solid's stress in one iterate.
 template <int Dim>
 struct SolidStress {

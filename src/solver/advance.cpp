@@ -186,14 +186,8 @@ void startConsistently(const Problem<Dim>& problem, const Controls& controls, St
     const auto over = [&](double from, double to) {
         return constraintsOver<Dim>(from, to, problem, state, topology);
     };
-    try {
-        state.nodes =
-            consistentStart<Dim>(problemAt<Dim>(state.time.value, problem), controls, state.mesh, topology, over, state.nodes, 1e-3 * dt);
-    } catch (const StepFailure& failure) {
-        throw StepFailure("The pressure at the start cannot be computed; are the physical constants, their units and "
-                          "the factors in system/pfemSolution sound?\n" +
-                          std::string(failure.what()));
-    }
+    state.nodes = consistentStart<Dim>(problemAt<Dim>(state.time.value, problem), controls, state.mesh, topology, over,
+                                       state.nodes, 1e-3 * dt);
 }
 
 #define PFEM_INSTANTIATE(D)                                                                                  \

@@ -31,7 +31,8 @@ struct CourantRate {
 template <int Dim>
 CourantRate courantRate(const State<Dim>& state);
 
-/// p and a at the very start of a run that agree with the forces, and v that is free of divergence. Throws StepFailure where they cannot be found.
+/// p and a at the very start of a run that agree with the forces, and v that is free of divergence. Throws FailedStep
+/// where they cannot be found.
 template <int Dim>
 void startConsistently(const Problem<Dim>& problem, const Controls& controls, State<Dim>& state, double dt);
 

@@ -6,9 +6,10 @@
 #include <map>
 #include <sstream>
 
-#include "dictionary/print.hpp"
-
 #include "dictionary/flatEntries.hpp"
+#include "dictionary/print.hpp"
+#include "io/uniformTime.hpp"
+#include "mesh/simplex.hpp"
 
 namespace pfem {
 
@@ -114,6 +115,22 @@ void checkConditions(const Dictionary& dict, const BoundaryConditions<Dim>& cond
 }
 
 template <int Dim>
+void checkState(const std::filesystem::path& folder, const State<Dim>& state) {
+    const auto fail = [&](const char* file, const std::string& reason) {
+        throw UserError(fmt::format("cannot go on from \"{}\": {}", folder.string(), reason), {(folder / file).string(), 0});
+    };
+    if (const std::string name = readUniformTime(folder).name; !name.empty() && name != folder.filename().string())
+        fail("uniform/time", fmt::format("entry 'name' says that this is the time {}; was the folder renamed?", name));
+    const auto& nodes = state.nodes;
+    for (int i = 0; i < nodes.size(); ++i)
+        if (!(nodes.h[i] > 0)) fail("fluid.vtu", fmt::format("array 'h': node {} has the mesh size {}", nodes.id[i], nodes.h[i]));
+    for (const auto& cell : state.mesh.solid.nodes)
+        if (!(simplexMeasure<Dim>(nodes.x, cell) > 0))
+            fail("solid.vtu", fmt::format("array 'Points': the element with the nodes {} {} {} is inverted", nodes.id[cell[0]],
+                                          nodes.id[cell[1]], nodes.id[cell[2]]));
+}
+
+template <int Dim>
 std::vector<std::string> doubts(const Dictionary& materials, const Dictionary& gravity, const Dictionary& conditions,
                                 const Problem<Dim>& problem, const State<Dim>& state) {
     std::vector<std::string> found;
@@ -144,8 +161,21 @@ std::vector<std::string> doubts(const Dictionary& materials, const Dictionary& g
     return found;
 }
 
+template <int Dim>
+void checkLaws(const Problem<Dim>& problem, const SolidControls& controls, const Dictionary& pfemSolution) {
+    for (const auto& material : problem.materials) {
+        if (material.law == nullptr) continue;
+        const std::string needed = material.law->isTotal() ? "neoHookean" : "rotatedMidpoint";
+        if (controls.stressUpdate != needed)
+            pfemSolution.subDictOrEmpty("solid").fatal(
+                "stressUpdate", fmt::format("the law of material '{}' needs the stressUpdate {}", material.name, needed));
+    }
+}
+
+template void checkLaws<2>(const Problem<2>&, const SolidControls&, const Dictionary&);
 template std::vector<std::string> doubts<2>(const Dictionary&, const Dictionary&, const Dictionary&, const Problem<2>&,
                                             const State<2>&);
+template void checkState<2>(const std::filesystem::path&, const State<2>&);
 template void checkOneFluid<2>(const Dictionary&, const Mesh<2>&);
 template void checkConditions<2>(const Dictionary&, const BoundaryConditions<2>&, const State<2>&);
 

@@ -1,10 +1,12 @@
 #pragma once
 // What a case must not ask for although each of its words is valid.
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "dictionary/dictionary.hpp"
+#include "momentum/controls.hpp"
 #include "state/problem.hpp"
 
 namespace pfem {
@@ -18,6 +20,16 @@ void checkOneFluid(const Dictionary& materials, const Mesh<Dim>& mesh);
 /// where walls and clamped edges with a common node do not move alike.
 template <int Dim>
 void checkConditions(const Dictionary& dict, const BoundaryConditions<Dim>& conditions, const State<Dim>& state);
+
+/// Throws UserError naming `folder` when the state, whose numbers are finite, cannot be gone on from: a node without mesh
+/// size, a solid's element without volume, a folder that was renamed.
+template <int Dim>
+void checkState(const std::filesystem::path& folder, const State<Dim>& state);
+
+/// Throws UserError, in system/pfemSolution, for a material of another project whose law is not of the form that
+/// solid/stressUpdate asks for.
+template <int Dim>
+void checkLaws(const Problem<Dim>& problem, const SolidControls& controls, const Dictionary& pfemSolution);
 
 /// Sentences about numbers that can be computed but hardly be meant, each naming its entry with file and line: nothing
 /// drives the case (no gravity, velocity, load or motion), gravity or weight of the fluid out of proportion.

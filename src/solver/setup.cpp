@@ -65,10 +65,14 @@ Problem<Dim> readProblem(const Case& theCase, const State<Dim>& state, std::ostr
     return problem;
 }
 
+Dictionary pfemSolution(const Case& theCase) {
+    const auto file = theCase.system("pfemSolution");
+    return std::filesystem::exists(file) ? Dictionary::read(file) : Dictionary();
+}
+
 Controls readControls(const Case& theCase, std::ostream* warnings) {
     Controls controls;
-    if (!std::filesystem::exists(theCase.system("pfemSolution"))) return controls;
-    const Dictionary dict = Dictionary::read(theCase.system("pfemSolution"));
+    const Dictionary dict = pfemSolution(theCase);
     readEntries(dict, controls.integration);
     readPart(dict, "timeIntegration", controls.timeIntegration);
     readPart(dict, "convergence", controls.convergence);

@@ -15,7 +15,10 @@ namespace pfem {
 template <int Dim>
 Problem<Dim> readProblem(const Case& theCase, const State<Dim>& state, std::ostream* warnings = &std::cerr);
 
-/// system/pfemSolution; without the file all defaults.
+/// system/pfemSolution; without the file an empty dictionary.
+Dictionary pfemSolution(const Case& theCase);
+
+/// What it says; without the file all defaults.
 Controls readControls(const Case& theCase, std::ostream* warnings = &std::cerr);
 
 }  // namespace pfem

@@ -223,6 +223,8 @@ TEST_F(Functions, MistakesPrintTheValidWords) {
         {"a { type probes; fields (p); points (); }", "probe"},
         {"a { type probes; fields (p); points ((0 0 0)); writeControl banana; }", "adjustableRunTime"},
         {"a 3;", "not a dictionary"},
+        {"\"/tmp/a\" { type massLedger; }", "postProcessing"},
+        {"\"b/a\" { type massLedger; }", "postProcessing"},
     };
     for (const auto& [text, word] : mistakes) {
         try {

@@ -64,6 +64,20 @@ TEST(FullDisk, AtomicFileKeepsTheOldContent) {
     EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
 }
 
+TEST(AtomicFile, LinksAndDevicesStay) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.path() / "text", link = folder.path() / "link", full = folder.path() / "full";
+    writeAtomically(file, "old");
+    fs::create_symlink(file, link);
+    writeAtomically(link, "new");
+    EXPECT_TRUE(fs::is_symlink(link));
+    EXPECT_EQ(readText(file), "new");
+    fs::create_symlink("/dev/full", full);
+    EXPECT_THROW(writeAtomically(full, "text"), UserError);
+    EXPECT_TRUE(fs::is_symlink(full));
+    EXPECT_TRUE(fs::is_character_file("/dev/full"));
+}
+
 TEST(FullDisk, TableReportsIt) {
     Table table("/dev/full", 6);
     EXPECT_THROW(table.row({"1", "2"}), UserError);
@@ -125,8 +139,8 @@ TEST(Table, ColumnsOfOpenFoam) {
 
 /// A table of `columns` columns with rows at these times, begun at `start`.
 void writeRows(const fs::path& folder, const std::string& start, std::optional<double> resumeAt,
-               const std::vector<double>& times, int columns = 1) {
-    Table table(folder / start / "p", 6, resumeAt);
+               const std::vector<double>& times, int columns = 1, int precision = 6) {
+    Table table(folder / start / "p", precision, resumeAt);
     table.header(std::vector<std::string>(static_cast<std::size_t>(columns) + 1, "Time"));
     for (const double time : times) {
         std::vector<std::string> row{table.time(time)};
@@ -152,6 +166,17 @@ TEST(Table, ARestartedRunGoesOnWithIt) {
     EXPECT_TRUE(fs::exists(folder.path() / "0.2/p"));
     writeRows(folder.path(), "0.25", 0.25, {0.3}, 2);
     EXPECT_NE(readText(folder.path() / "0.2/p").find("0.6"), std::string::npos);
+}
+
+TEST(Table, ARowIsFoundAgainWithAnyPrecision) {
+    for (int precision = 1; precision <= 17; ++precision)
+        for (const double t : {2.0 / 3, 0.1 + 0.2, 1.0 / 7, 123.456789012345678}) {
+            const TemporaryFolder folder;
+            writeRows(folder.path(), "0", {}, {0, t, 2 * t}, 1, precision);
+            const std::string whole = readText(folder.path() / "0/p");
+            writeRows(folder.path(), "0.1", t, {2 * t}, 1, precision);
+            EXPECT_EQ(readText(folder.path() / "0/p"), whole) << precision << " digits";
+        }
 }
 
 }  // namespace pfem

@@ -76,9 +76,16 @@ TEST(Keywords, MeshDictIsComplete) {
         "0.2; "
         "velocity (1 2); pattern checkerboard; cells (3 4); holes (); edges (arc 0 1 (0.5 -0.1)); "
         "patches { p { edges ((0 1)); } } } } "
-        "walls { w { points ((0 0) (1 0)); closed no; moving no; meshSize 1; edges (); } }");
+        "walls { w { points ((0 0) (1 0)); closed no; moving no; meshSize 1; edges (); } } "
+        "refinements { b { type box; min (0 0); max (1 1); meshSize 1; } c { type curve; points ((0 0) (1 0)); distance 1; "
+        "meshSize 1; } }");
     readMeshDict(dict, {"oil"});
-    expectDocumented(*dict.node(), names(meshKeywords()), {"a", "p", "w"});
+    expectDocumented(*dict.node(), names(meshKeywords()), {"a", "p", "w", "b", "c"});
+    const auto file = Dictionary::parse(
+        "meshFile \"a.msh\"; scale 1; cellArray x; bodies { a { type fluid; material oil; group g; meshSize 1; patches { p { "
+        "group h; } } } } walls { w { group i; moving no; meshSize 1; } }");
+    readMeshDict(file, {"oil"});
+    expectDocumented(*file.node(), names(meshKeywords()), {"a", "p", "w"});
 }
 
 TEST(Keywords, ConstantIsComplete) {

@@ -2,11 +2,18 @@
 // Seeded damage to texts and binary files.
 
 #include <algorithm>
+#include <cstdlib>
 #include <random>
 #include <string>
 #include <vector>
 
 namespace pfem::test {
+
+/// How many of a kind: from the environment, or the standard.
+inline int countOf(const char* variable, int standard) {
+    const char* text = std::getenv(variable);
+    return text != nullptr ? std::atoi(text) : standard;
+}
 
 class Mutator {
 public:

@@ -1,26 +1,24 @@
-// Hundreds of damaged dictionaries and time folders: no crash, no hang; what is refused is refused with the file and,
-// in a dictionary, the line. Each is read in a process of its own.
+// Hundreds of damaged dictionaries: no crash, no hang. Each is used, with a warning where a word has no effect, or
+// refused with its file and line. Each is read in a process of its own.
 
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
-#include <functional>
-#include <iostream>
+#include <regex>
+#include <set>
 
-#include "base/error.hpp"
-#include "case/controlDict.hpp"
+#include "case/timeControl.hpp"
+#include "functions/functionObjects.hpp"
 #include "io/atomicFile.hpp"
 #include "io/sampleState.hpp"
 #include "io/stateFiles.hpp"
-#include "io/uniformTime.hpp"
 #include "mesher/mesher.hpp"
 #include "mesher/readMeshDict.hpp"
-#include "mutations.hpp"
-#include "solver/advance.hpp"
+#include "reference/keywords.hpp"
+#include "robustness/child.hpp"
+#include "robustness/mutations.hpp"
+#include "solver/recorder.hpp"
 #include "solver/setup.hpp"
 
 using namespace pfem;
@@ -29,95 +27,106 @@ namespace fs = std::filesystem;
 
 namespace {
 
-int countOf(const char* variable, int standard) {
-    const char* text = std::getenv(variable);
-    return text != nullptr ? std::atoi(text) : standard;
+std::set<std::string> wordsOf(const std::string& text) {
+    std::set<std::string> words;
+    static const std::regex word("[A-Za-z_][A-Za-z0-9_]*");
+    for (std::sregex_iterator it(text.begin(), text.end(), word), end; it != end; ++it) words.insert(it->str());
+    return words;
 }
 
-enum Outcome { good = 0, refused = 1, withoutPlace = 2, otherError = 3 };
-
-/// What `body` did in a child process: an Outcome, or -signal (SIGALRM: it took more than ten seconds).
-int outcome(const std::function<void()>& body, std::string& message) {
-    int pipes[2];
-    if (pipe(pipes) != 0) throw InternalError("pipe");
-    const pid_t child = fork();
-    if (child == 0) {
-        close(pipes[0]);
-        std::cout.setstate(std::ios::failbit);
-        std::cerr.setstate(std::ios::failbit);
-        alarm(10);
-        int code = good;
-        std::string text;
-        try {
-            body();
-        } catch (const UserError& error) {
-            code = error.where().file.empty() ? withoutPlace : refused;
-            text = error.where().file + ":" + std::to_string(error.where().line) + ": " + error.what();
-        } catch (const StepFailure& error) {  // parsed, but physics that cannot be computed
-            code = refused;
-            text = error.what();
-        } catch (const std::exception& error) {
-            code = otherError;
-            text = error.what();
-        }
-        const auto written = write(pipes[1], text.data(), std::min<std::size_t>(text.size(), 4000));
-        _exit(written < 0 ? otherError : code);
+/// Keys that no program knows, of all sub-dictionaries but those that `log` calls unused as a whole.
+void unknownKeys(const Dictionary& dict, const std::set<std::string>& known, const std::string& log,
+                 std::vector<std::string>& found) {
+    for (const auto& key : dict.keys()) {
+        if (known.count(key) == 0)
+            found.push_back(key);
+        else if (dict.isDict(key) && log.find("entry '" + key + "' in ") == std::string::npos)
+            unknownKeys(dict.subDict(key), known, log, found);
     }
-    close(pipes[1]);
-    message.clear();
-    char buffer[512];
-    for (ssize_t n; (n = read(pipes[0], buffer, sizeof buffer)) > 0;) message.append(buffer, static_cast<std::size_t>(n));
-    close(pipes[0]);
-    int status = 0;
-    waitpid(child, &status, 0);
-    return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
 }
 
 /// The first tutorial, coarse; its dictionaries can be replaced one at a time.
 class MutatedDictionaries : public testing::TestWithParam<const char*> {
 protected:
     void SetUp() override {
-        fs::copy(fs::path(PFEM_SOURCE_DIR) / "tutorials/damBreakElasticWall/constant", folder_.path() / "constant",
-                 fs::copy_options::recursive);
-        fs::copy(fs::path(PFEM_SOURCE_DIR) / "tutorials/damBreakElasticWall/system", folder_.path() / "system",
-                 fs::copy_options::recursive);
-        state_ = mesh();
+        for (const char* name : {"constant", "system"})
+            fs::copy(fs::path(PFEM_SOURCE_DIR) / "tutorials/damBreakElasticWall" / name, folder_.path() / name,
+                     fs::copy_options::recursive);
+        mesh();
     }
-    State<2> mesh() const {
+
+    void mesh() const {  // as pfemMesh
         const Dictionary dict = Dictionary::read(folder_.path() / "system/meshDict");
-        return buildMesh(readMeshDict(dict, {"water", "rubber"}, 0.02)).state;
+        const auto state = buildMesh(readMeshDict(dict, {"water", "rubber"}, 0.02)).state;
+        warnUnused(dict, std::cerr);
+        writeState(folder_.path() / "0", state);
     }
-    /// As the programs do: read all, then one step.
-    void use(bool meshToo) {
-        State<2> state = meshToo ? mesh() : state_;
+
+    /// As pfemFsiFoam: read all, then one step.
+    void step() const {
         const Case theCase(folder_.path());
-        readControlDict(Dictionary::read(theCase.controlDict()));
+        TimeControl clock(theCase);
+        State<2> state = readState<2>(clock.startFolder());
         const auto problem = readProblem<2>(theCase, state);
         const auto controls = readControls(theCase);
-        advance<2>(problem, controls, state, 1e-4);
+        FunctionObjects<2> functions(theCase, clock.dictionary(), clock.startName());
+        warnUnused(clock.dictionary(), std::cerr);
+        Recorder<2> recorder(theCase, problem, clock, state);
+        recorder.start(controls, state, clock.deltaT(state.time));
+        functions.start(state);
+        const auto report = recorder.advance(controls, state, clock.deltaT(state.time, courantRate(state).first));
+        state.time = clock.advance(state.time, report.dt);
+        functions.execute(state);
+        recorder.save(state);
+        fs::remove_all(clock.folder(state.time));
     }
+
     TemporaryFolder folder_;
-    State<2> state_;
 };
 
 TEST_P(MutatedDictionaries, areUsedOrRefusedWithTheirLine) {
     const fs::path file = folder_.path() / GetParam();
     const std::string original = readText(file);
+    const std::string bare = std::regex_replace(original, std::regex("/\\*[^]*?\\*/|//[^\n]*"), "");
     const bool meshToo = file.filename() == "meshDict";
-    const int n = countOf("PFEM_MUTATIONS", 34);
-    std::map<int, int> counts;
-    std::string message;
-    ASSERT_EQ(outcome([&] { use(meshToo); }, message), good) << message;
-    for (int seed = 0; seed < n; ++seed) {
-        const std::string text = Mutator(1000 + static_cast<unsigned>(seed)).text(original);
+    const auto use = [&] {
+        if (meshToo) mesh();
+        step();
+    };
+    std::set<std::string> known = wordsOf(keywordPage() + original);
+    known.insert("libs");
+    const std::regex place(folder_.path().string() + "/(system|constant)/[A-Za-z]+( (at|from) line |:)[0-9]+");
+    const int n = countOf("PFEM_MUTATIONS", 40);
+
+    const Outcome sound = inChild(use);
+    ASSERT_EQ(sound.code, 0) << sound.text;
+    EXPECT_EQ(sound.text, "");
+    int used = 0, warned = 0, failed = 0;
+    for (int seed = 0; seed < n && !HasFailure(); ++seed) {
+        const std::string text = Mutator(1000 + static_cast<unsigned>(seed)).text(seed % 4 == 0 ? original : bare);
         std::ofstream(file, std::ios::binary) << text;
-        const int code = outcome([&] { use(meshToo); }, message);
-        ++counts[code];
-        EXPECT_TRUE(code == good || code == refused) << GetParam() << ", seed " << seed << ": outcome " << code << "\n"
-                                                     << message << "\n" << text.substr(0, 3000);
-        if (HasFailure()) break;
+        const Outcome outcome = inChild(use);
+        const auto about = [&] {
+            return std::string(GetParam()) + ", seed " + std::to_string(seed) + ", code " + std::to_string(outcome.code) +
+                   "\n" + outcome.text.substr(0, 3000) + "\n" + text.substr(0, 3000);
+        };
+        EXPECT_TRUE(outcome.code == 0 || outcome.code == 1) << about();
+        EXPECT_EQ(outcome.text.find("error of the program"), std::string::npos) << about();
+        if (outcome.code == 1) {
+            EXPECT_TRUE(std::regex_search(outcome.text, place)) << "file and line are missing: " << about();
+            failed += outcome.text.find("FOAM FATAL ERROR") != std::string::npos;
+        } else if (outcome.code == 0) {
+            ++used;
+            warned += outcome.text.find("Warning") != std::string::npos;
+            std::vector<std::string> unknown;
+            unknownKeys(Dictionary::read(file), known, outcome.text, unknown);
+            for (const auto& key : unknown)
+                EXPECT_TRUE(outcome.text.find("'" + key + "'") != std::string::npos || text.find("$" + key) != std::string::npos)
+                    << "no warning of '" << key << "': " << about();
+        }
     }
-    std::cout << GetParam() << ": " << n << " damaged, " << counts[good] << " usable, " << counts[refused] << " refused\n";
+    std::cout << GetParam() << ": " << n << " damaged, " << used << " used (" << warned << " with a warning), "
+              << n - used << " refused, " << failed << " of them after the first step had failed\n";
 }
 
 INSTANTIATE_TEST_SUITE_P(, MutatedDictionaries,
@@ -128,49 +137,5 @@ INSTANTIATE_TEST_SUITE_P(, MutatedDictionaries,
                              std::replace(name.begin(), name.end(), '/', '_');
                              return name;
                          });
-
-/// Files of a time folder. `signedAnew`: the checksum is made right again, so that the reader itself is tried.
-void tryFolders(bool signedAnew) {
-    const TemporaryFolder folder;
-    const fs::path time = folder.path() / "1";
-    writeState(time, sampleState());
-    const std::vector<std::string> files{"fluid.vtu", "solid.vtu", "boundary.vtu", "uniform/time"};
-    std::map<std::string, std::string> original;
-    for (const auto& file : files) original[file] = readText(time / file);
-    const int n = countOf("PFEM_MUTATIONS", 34) * 6;
-    std::map<int, int> counts;
-    for (int seed = 0; seed < n; ++seed) {
-        Mutator mutator(5000 + static_cast<unsigned>(seed));
-        const std::string& file = files[static_cast<std::size_t>(seed) % (signedAnew ? 3 : 4)];
-        for (const auto& [name, content] : original) std::ofstream(time / name, std::ios::binary) << content;
-        std::string damaged = file == "uniform/time" ? mutator.text(original[file]) : mutator.bytes(original[file]);
-        std::ofstream(time / file, std::ios::binary) << damaged;
-        if (signedAnew) {
-            UniformTime uniform = readUniformTime(time);
-            uniform.checksums[file] = checksumOf(damaged);
-            std::ofstream(time / "uniform/time") << formatUniformTime(uniform, "1");
-        }
-        std::string message;
-        const int code = outcome([&] { readState<2>(time); }, message);
-        ++counts[code];
-        EXPECT_TRUE(code == good || code == refused) << file << ", seed " << seed << ": outcome " << code << "\n" << message;
-        if (!signedAnew && file != "uniform/time" && damaged != original[file]) {
-            EXPECT_EQ(code, refused) << file << ", seed " << seed << ": damage is not noticed";
-        }
-        if (testing::Test::HasFailure()) {
-            if (const char* keep = std::getenv("PFEM_KEEP")) std::ofstream(keep, std::ios::binary) << damaged;
-            break;
-        }
-    }
-    std::cout << n << " damaged folders, " << counts[good] << " usable, " << counts[refused] << " refused\n";
-}
-
-TEST(MutatedTimeFolders, areRefusedByTheirChecksum) {
-    tryFolders(false);
-}
-
-TEST(MutatedTimeFolders, withRightChecksumsAreReadOrRefused) {
-    tryFolders(true);
-}
 
 }  // namespace

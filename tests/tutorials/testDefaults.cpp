@@ -35,10 +35,12 @@ Values valuesOf(const Controls& controls) {
 }
 
 TEST(Tutorials, pfemSolutionHoldsTheDefaults) {
-    const Case theCase(std::string(PFEM_SOURCE_DIR) + "/tutorials/damBreakElasticWall");
-    const Values defaults = valuesOf(Controls{}), read = valuesOf(readControls(theCase));
-    for (const auto& [key, value] : defaults) EXPECT_EQ(read.at(key), value) << key;
-    EXPECT_TRUE(Dictionary::read(theCase.system("pfemSolution")).isDict("remeshing"));
+    for (const char* folder : {"/tutorials/damBreakElasticWall", "/etc/templates/damBreak", "/etc/templates/gmsh"}) {
+        const Case theCase(std::string(PFEM_SOURCE_DIR) + folder);
+        const Values defaults = valuesOf(Controls{}), read = valuesOf(readControls(theCase));
+        for (const auto& [key, value] : defaults) EXPECT_EQ(read.at(key), value) << folder << " " << key;
+        EXPECT_TRUE(Dictionary::read(theCase.system("pfemSolution")).isDict("remeshing"));
+    }
 }
 
 TEST(Tutorials, pfemSolutionHasNoUnknownEntry) {

@@ -32,7 +32,7 @@ public:
 
     void start(const State<2>& state) override {
         kinds_ = readProblem<2>(Case(context_.root), state, nullptr).conditions.kind;
-        table_.emplace(context_.folder / "surfaceLength.dat", context_.precision);
+        table_.emplace(context_.folder / "surfaceLength.dat", context_.precision, context_.resumeAt);
         table_->header({"Time", "length"});
     }
 
@@ -40,7 +40,7 @@ public:
         double length = 0;
         for (const auto& face : makeTopology<2>(state.mesh, kinds_, state.nodes.wall).faces)
             if (face.kind == FaceKind::freeSurface) length += faceArea<2>(state.nodes.x, face.nodes).norm();
-        table_->row({table_->number(state.time.value), table_->number(entries_.scale * length)});
+        table_->row({table_->time(state.time.value), table_->number(entries_.scale * length)});
     }
 
 private:

@@ -1,0 +1,44 @@
+#pragma once
+// A mesh that another program has made: points, triangles and edges in groups.
+
+#include <string>
+#include <vector>
+
+#include "base/types.hpp"
+
+namespace pfem {
+
+struct ForeignMesh {
+    /// A triangle (N = 3) or an edge (N = 2).
+    template <int N>
+    struct Element {
+        std::array<int, N> nodes;
+        int group = -1;  // index into groups; -1: in none
+        int line = 0;    // where it stands in the file; 0: not known
+    };
+    struct Group {
+        int dimension;  // 2: of triangles, 1: of edges
+        std::string name;
+    };
+
+    std::string file;
+    Points<2> x;
+    std::vector<Element<3>> triangles;
+    std::vector<Element<2>> edges;
+    std::vector<Group> groups;
+
+    /// Index of the group, -1 where there is none.
+    int groupNamed(int dimension, const std::string& name) const {
+        for (std::size_t g = 0; g < groups.size(); ++g)
+            if (groups[g].dimension == dimension && groups[g].name == name) return static_cast<int>(g);
+        return -1;
+    }
+    std::vector<std::string> groupNames(int dimension) const {
+        std::vector<std::string> names;
+        for (const auto& group : groups)
+            if (group.dimension == dimension) names.push_back(group.name);
+        return names;
+    }
+};
+
+}  // namespace pfem

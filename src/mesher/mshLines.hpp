@@ -1,0 +1,88 @@
+#pragma once
+// A .msh file line by line, with the line's number in every error.
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+
+#include "base/error.hpp"
+
+namespace pfem {
+
+/// The lines of a file as words, with their numbers.
+class MshLines {
+public:
+    explicit MshLines(const std::filesystem::path& file) : name_(file.string()), stream_(file, std::ios::binary) {
+        if (!stream_) throw UserError("cannot read file \"" + name_ + "\"", {name_, 0});
+    }
+
+    /// The next line that is not empty; false at the end of the file.
+    bool next() {
+        while (std::getline(stream_, text_)) {
+            ++number_;
+            split();
+            if (!words_.empty()) return true;
+        }
+        return false;
+    }
+    /// The next line of section `name`, which has `least` words or more.
+    void demand(const std::string& section, std::size_t least) {
+        if (!next()) fail("the file ends within $" + section);
+        if (words_.front().front() == '$') fail(fmt::format("$End{} comes before all of its lines", section));
+        if (words_.size() < least) fail(fmt::format("${}: {} numbers expected, {} found", section, least, words_.size()));
+    }
+
+    std::string_view word(std::size_t i) const { return words_[i]; }
+    std::size_t size() const { return words_.size(); }
+    const std::string& text() const { return text_; }
+    int number() const { return number_; }
+
+    double real(std::size_t i) const {
+        const double value = parse<double>(i);
+        if (!std::isfinite(value)) fail(fmt::format("'{}' is not a finite number", word(i)));
+        return value;
+    }
+    long whole(std::size_t i) const { return parse<long>(i); }
+    long count(std::size_t i) const {
+        const long value = whole(i);
+        if (value < 0 || value > 1000000000) fail(fmt::format("{} is no number of things", value));
+        return value;
+    }
+    /// For loops over words that must be there.
+    void need(std::size_t least) const {
+        if (words_.size() < least) fail(fmt::format("{} numbers expected, {} found", least, words_.size()));
+    }
+    [[noreturn]] void fail(const std::string& message) const {
+        throw UserError("cannot take the mesh of \"" + name_ + "\": " + message, {name_, number_});
+    }
+
+private:
+    template <class T>
+    T parse(std::size_t i) const {
+        T value{};
+        const auto w = words_[i];
+        const auto [end, error] = std::from_chars(w.data(), w.data() + w.size(), value);
+        if (error != std::errc() || end != w.data() + w.size()) fail(fmt::format("'{}' is not a number", w));
+        return value;
+    }
+    void split() {
+        words_.clear();
+        std::size_t begin = 0;
+        while ((begin = text_.find_first_not_of(" \t\r", begin)) != std::string::npos) {
+            const std::size_t end = std::min(text_.find_first_of(" \t\r", begin), text_.size());
+            words_.emplace_back(text_.data() + begin, end - begin);
+            begin = end;
+        }
+    }
+
+    std::string name_, text_;
+    std::ifstream stream_;
+    std::vector<std::string_view> words_;
+    int number_ = 0;
+};
+
+}  // namespace pfem

@@ -1,0 +1,64 @@
+#include "solver/recorder.hpp"
+
+#include <fmt/format.h>
+
+#include "io/series.hpp"
+#include "io/stateFiles.hpp"
+#include "solver/failedFolder.hpp"
+#include "solver/outputFields.hpp"
+#include "solver/startNumbers.hpp"
+
+namespace pfem {
+
+template <int Dim>
+void Recorder<Dim>::save(const State<Dim>& state) {
+    if (state.time.index == written_) return;
+    writeState(clock_.folder(state.time), state, outputFields(problem_, state));
+    clock_.written(state.time);  // may remove older ones
+    writeSeries(case_.root());
+    written_ = state.time.index;
+    name_ = clock_.name(state.time);
+}
+
+template <int Dim>
+void Recorder<Dim>::giveUp(const std::string& what, const StepFailure& failure, const State<Dim>& last) {
+    std::string text = what + ":\n" + failure.what() + "\n";
+    try {
+        save(last);
+        const auto* step = dynamic_cast<const FailedStep<Dim>*>(&failure);
+        text += writeFailed(case_.root(), problem_, step ? *step : FailedStep<Dim>(failure, last), last) +
+                "\nThe folder failed/ shows it (ParaView: failed/failed.pvd, flag 'failed').\n"
+                "The last good state is in the folder " + name_ + ".";
+        if (last.time.index == first_) text += "\nIt was the first step, computed with these numbers:\n" + startNumbers(case_);
+    } catch (const UserError& error) {
+        text += std::string("\nNor could the state be written: ") + error.what();
+    }
+    throw StepFailure(text);
+}
+
+template <int Dim>
+void Recorder<Dim>::start(const Controls& controls, State<Dim>& state, double dt) {
+    const State<Dim> given = state;
+    try {
+        startConsistently(problem_, controls, state, dt);
+    } catch (const StepFailure& failure) {
+        giveUp("The pressure at the start cannot be computed", failure, given);
+    }
+}
+
+template <int Dim>
+AdvanceReport Recorder<Dim>::advance(const Controls& controls, State<Dim>& state, double dt) {
+    try {
+        return pfem::advance(problem_, controls, state, dt);
+    } catch (const StepFailure& failure) {
+        giveUp(fmt::format("The step after t = {} s failed with deltaT = {:.3g} s and all its halvings", state.time.value, dt),
+               failure, state);
+    } catch (const std::exception&) {
+        save(state);
+        throw;
+    }
+}
+
+template class Recorder<2>;
+
+}  // namespace pfem

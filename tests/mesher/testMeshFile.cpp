@@ -1,0 +1,243 @@
+// Meshes of other programs: what the mesher has made, written as Gmsh would, gives the same state again.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "cases.hpp"
+#include "io/stateFiles.hpp"
+#include "mesher/meshFile.hpp"
+
+using namespace pfem;
+using namespace pfem::testing;
+
+namespace {
+
+struct Folder {
+    Folder() : path(std::filesystem::temp_directory_path() / ("pfemMeshFile" + std::to_string(getpid()))) {
+        std::filesystem::create_directories(path);
+    }
+    ~Folder() { std::filesystem::remove_all(path); }
+    std::filesystem::path write(const std::string& name, const std::string& text) const {
+        std::ofstream(path / name) << text;
+        return path / name;
+    }
+    std::filesystem::path path;
+};
+
+/// Triangles: group 1 is the fluid, 2 the solid; edges: one group per patch, from 11 on. Every second triangle runs clockwise.
+std::string elements2(const State<2>& state, int& n) {
+    std::string text;
+    int body = 0;
+    for (const auto* cells : {&state.mesh.fluid, &state.mesh.solid}) {
+        ++body;
+        for (const auto& t : cells->nodes) {
+            ++n;
+            text += fmt::format("{} 2 2 {} 1 {} {} {}\n", n, body, t[0] + 1, t[n % 2 + 1] + 1, t[2 - n % 2] + 1);
+        }
+    }
+    for (std::size_t k = 0; k < state.mesh.patches.size(); ++k)
+        for (const auto& face : state.mesh.patches[k].faces)
+            text += fmt::format("{} 1 2 {} 1 {} {}\n", ++n, 11 + k, face[1] + 1, face[0] + 1);
+    return text;
+}
+
+std::string names(const State<2>& state) {
+    std::string text = fmt::format("$PhysicalNames\n{}\n2 1 \"water\"\n2 2 \"wall\"\n", 2 + state.mesh.patches.size());
+    for (std::size_t k = 0; k < state.mesh.patches.size(); ++k)
+        text += fmt::format("1 {} \"{}\"\n", 11 + k, state.mesh.patches[k].name);
+    return text + "$EndPhysicalNames\n";
+}
+
+std::string msh2(const State<2>& state, double scale = 1) {
+    std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n" + names(state) + fmt::format("$Nodes\n{}\n", state.nodes.size());
+    for (int i = 0; i < state.nodes.size(); ++i)
+        text += fmt::format("{} {} {} 0\n", i + 1, scale * state.nodes.x[i][0], scale * state.nodes.x[i][1]);
+    int n = 0;
+    const std::string elements = elements2(state, n);
+    return text + fmt::format("$EndNodes\n$Elements\n{}\n{}$EndElements\n", n, elements);
+}
+
+std::string msh4(const State<2>& state) {
+    const auto& patches = state.mesh.patches;
+    std::string text = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n" + names(state);
+    text += fmt::format("$Entities\n0 {} 2 0\n", patches.size());
+    for (std::size_t k = 0; k < patches.size(); ++k) text += fmt::format("{} 0 0 0 1 1 0 1 {} 0\n", 21 + k, 11 + k);
+    text += "1 0 0 0 1 1 0 1 1 0\n2 0 0 0 1 1 0 1 2 0\n$EndEntities\n";
+    text += fmt::format("$Nodes\n1 {0} 1 {0}\n2 1 0 {0}\n", state.nodes.size());
+    for (int i = 0; i < state.nodes.size(); ++i) text += fmt::format("{}\n", i + 1);
+    for (const auto& x : state.nodes.x) text += fmt::format("{} {} 0\n", x[0], x[1]);
+    text += fmt::format("$EndNodes\n$Elements\n{0} {1} 1 {1}\n", 2 + patches.size(), 1);
+    int n = 0, body = 0;
+    for (const auto* cells : {&state.mesh.fluid, &state.mesh.solid}) {
+        text += fmt::format("2 {} 2 {}\n", ++body, cells->size());
+        for (const auto& t : cells->nodes) text += fmt::format("{} {} {} {}\n", ++n, t[0] + 1, t[1] + 1, t[2] + 1);
+    }
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+        text += fmt::format("1 {} 1 {}\n", 21 + k, patches[k].faces.size());
+        for (const auto& face : patches[k].faces) text += fmt::format("{} {} {}\n", ++n, face[0] + 1, face[1] + 1);
+    }
+    return text + "$EndElements\n";
+}
+
+MeshDescription fileDict(const std::string& bodies, const std::string& walls, const std::string& more = "") {
+    return describe("meshFile \"x.msh\"; " + more + " bodies { " + bodies + " } walls { " + walls + " }");
+}
+
+const std::string bodies =
+    "water { type fluid; material water; } "
+    "beam { type solid; material rubber; group wall; patches { wallBase { } } }";
+const std::string tank = "tank { points ((0 0.6) (0 0) (0.596 0) (0.596 0.6)); }";
+
+void expectSame(const State<2>& a, const State<2>& b) {
+    expectSound(b);
+    EXPECT_EQ(a.nodes.size(), b.nodes.size());
+    EXPECT_EQ(a.mesh.fluid.size(), b.mesh.fluid.size());
+    EXPECT_EQ(a.mesh.solid.size(), b.mesh.solid.size());
+    EXPECT_EQ(a.mesh.materials, b.mesh.materials);
+    for (const auto& patch : a.mesh.patches) {
+        EXPECT_EQ(patch.faces.size(), patchOf(b, patch.name).faces.size()) << patch.name;
+        EXPECT_NEAR(lengthOf(a, patch.name), lengthOf(b, patch.name), 1e-9) << patch.name;
+    }
+    const auto sliding = [](const State<2>& s) {
+        return std::count_if(s.nodes.wall.begin(), s.nodes.wall.end(), [](int w) { return w >= 0; });
+    };
+    EXPECT_EQ(sliding(a), sliding(b));
+}
+
+TEST(MeshFile, Msh2AndMsh4GiveTheSameStateAgain) {
+    const Folder folder;
+    const State<2> state = meshOf(damBreakElasticWall(), 0.01).state;
+    const auto two = takeMesh(fileDict(bodies, tank), readMsh(folder.write("a.msh", msh2(state))));
+    expectSame(state, two.state);
+    const auto four = takeMesh(fileDict(bodies, tank), readMsh(folder.write("b.msh", msh4(state))));
+    expectSame(state, four.state);
+    const auto scaled = takeMesh(fileDict(bodies, tank, "scale 0.001;"), readMsh(folder.write("c.msh", msh2(state, 1000))));
+    expectSame(state, scaled.state);
+    EXPECT_NEAR(two.bodies[0].area, 0.146 * 0.292, 1e-12);
+    EXPECT_NEAR(two.bodies[1].perimeter, 2 * (0.012 + 0.08), 1e-12);
+    for (const double h : two.state.nodes.h) EXPECT_NEAR(h, 0.01, 0.004);
+}
+
+TEST(MeshFile, WallsMayBeGroupsOfEdges) {
+    const Folder folder;
+    const State<2> state = meshOf(damBreakElasticWall(), 0.01).state;
+    // the tank's straight faces have no nodes of the fluid between: as edges of the file they are dry but for none
+    State<2> fine = state;
+    for (auto& patch : fine.mesh.patches) {
+        if (patch.name != "tank") continue;
+        patch.faces.clear();
+        std::map<Face<2>, int> edges = directedEdges(state.mesh.fluid);
+        for (const auto& [edge, count] : edges) {
+            const Vec<2>&p = state.nodes.x[edge[0]], &q = state.nodes.x[edge[1]];
+            if (!edges.count({edge[1], edge[0]}) && ((p.x() == 0 && q.x() == 0) || (p.y() == 0 && q.y() == 0)))
+                patch.faces.push_back(edge);
+        }
+        ASSERT_GT(patch.faces.size(), 10u);
+    }
+    const auto result = takeMesh(fileDict(bodies, "tank { }"), readMsh(folder.write("a.msh", msh2(fine))));
+    EXPECT_EQ(patchOf(result.state, "tank").faces.size(), 2u);  // floor and side under the water, each straight
+    EXPECT_NEAR(lengthOf(result.state, "tank"), 0.146 + 0.292, 1e-9);
+}
+
+TEST(MeshFile, VtuOfATimeFolderGivesItsFluidAgain) {
+    const Folder folder;
+    const State<2> state = meshOf(damBreakElasticWall(), 0.02).state;
+    writeState(folder.path / "0", state);
+    const auto file = readMeshFile(folder.path / "0" / "fluid.vtu", "material");
+    const auto result = takeMesh(fileDict("column { type fluid; material oil; group water; }", tank), file);
+    expectSound(result.state);
+    EXPECT_EQ(result.state.mesh.fluid.size(), state.mesh.fluid.size());
+    EXPECT_EQ(result.state.mesh.materials, std::vector<std::string>{"oil"});
+}
+
+/// A square of two triangles with a wall below; line 15 on are the elements.
+std::string square() {
+    return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n2 1 \"w\"\n1 2 \"floor\"\n$EndPhysicalNames\n"
+           "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$EndNodes\n"
+           "$Elements\n3\n1 2 2 1 1 1 2 3\n2 2 2 1 1 1 3 4\n3 1 2 2 1 1 2\n$EndElements\n";
+}
+
+struct Bad {
+    std::string from, to, message;
+    int line;
+};
+
+TEST(MeshFile, ErrorsNameTheLine) {
+    const Folder folder;
+    for (const Bad& bad : std::vector<Bad>{
+             {"2.2 0 8", "4.0 0 8", "save it as 2.2 or 4.1", 2},
+             {"2.2 0 8", "2.2 1 8", "binary", 2},
+             {"3 1 1 0\n", "3 1 one 0\n", "'one' is not a number", 13},
+             {"3 1 1 0\n", "3 1 nan 0\n", "not a finite number", 13},
+             {"3 1 1 0\n", "3 1 1 0.5\n", "leaves the plane", 13},
+             {"3 1 1 0\n", "2 1 1 0\n", "a second node 2", 13},
+             {"3 1 1 0\n", "3 1 1\n", "4 numbers expected, 3 found", 13},
+             {"$Nodes\n4", "$Nodes\n5", "$EndNodes comes before", 15},
+             {"$Nodes\n4", "$Nodes\n-4", "no number of things", 10},
+             {"$EndElements\n", "", "ends without $EndElements", 20},
+             {"2 2 2 1 1 1 3 4", "2 2 2 1 1 1 3 9", "there is no node 9", 19},
+             {"2 2 2 1 1 1 3 4", "2 9 2 1 1 1 3 4 1 2 3", "second order", 19},
+             {"2 2 2 1 1 1 3 4", "2 3 2 1 1 1 2 3 4", "quadrangle", 19},
+             {"2 2 2 1 1 1 3 4", "2 2 2 1 1 1 2 3", "overlaps", 19},
+             {"2 2 2 1 1 1 3 4", "2 2 2 1 1 1 3 3", "no area", 19},
+             {"3 1 2 2 1 1 2", "3 1 2 2 1 1 3", "on both of its sides", 20},
+         }) {
+        std::string text = square();
+        ASSERT_NE(text.find(bad.from), std::string::npos) << bad.from;
+        text.replace(text.find(bad.from), bad.from.size(), bad.to);
+        const auto file = folder.write("bad.msh", text);
+        try {
+            takeMesh(fileDict("w { type fluid; material water; }", "floor { }"), readMsh(file));
+            FAIL() << bad.to << " should fail";
+        } catch (const UserError& error) {
+            EXPECT_NE(std::string(error.what()).find(bad.message), std::string::npos) << error.what();
+            EXPECT_EQ(error.where().line, bad.line) << error.what();
+            EXPECT_EQ(error.where().file, file.string());
+        }
+    }
+}
+
+TEST(MeshFile, ErrorsOfTheDictionary) {
+    const Folder folder;
+    const auto file = readMsh(folder.write("a.msh", square()));
+    const auto message = [&](const MeshDescription& description) -> std::string {
+        try {
+            takeMesh(description, file);
+        } catch (const UserError& error) {
+            EXPECT_EQ(error.where().file.substr(0, 8), "meshDict") << error.what();
+            return error.what();
+        }
+        return "";
+    };
+    const std::string w = "w { type fluid; material water; }";
+    EXPECT_EQ(message(fileDict(w, "floor { }")), "");
+    EXPECT_NE(message(fileDict("v { type fluid; material water; }", "")).find("w"), std::string::npos);
+    EXPECT_NE(message(fileDict(w, "flor { }")).find("floor"), std::string::npos);
+    EXPECT_NE(message(fileDict(w, "f { points ((1 0) (0 0)); }")).find("turn its points around"), std::string::npos);
+    EXPECT_THROW(fileDict("w { type fluid; material water; vertices ((0 0)); }", ""), UserError);
+    EXPECT_THROW(fileDict(w, "", "scale 0;"), UserError);
+    EXPECT_THROW(readMeshFile(folder.write("a.stl", ""), "material"), UserError);
+    EXPECT_THROW(readMeshFile(folder.path / "none.msh", "material"), UserError);
+}
+
+TEST(MeshFile, TouchingBodiesNeedCommonNodes) {
+    const Folder folder;
+    // a second square beside the first one with a node in the middle of the common side; then with doubled points
+    const auto text = [](const std::string& extra, int n, const std::string& cells, int m) {
+        return fmt::format("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n{}\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n{}$EndNodes\n"
+                           "$Elements\n{}\n1 2 1 1 1 2 3\n2 2 1 1 1 3 4\n{}$EndElements\n",
+                           n, extra, m, cells);
+    };
+    const std::string both = "a { type fluid; material water; group 1; } b { type solid; material rubber; group 2; }";
+    const auto hanging = readMsh(folder.write(
+        "h.msh", text("5 2 0 0\n6 2 1 0\n7 1 0.5 0\n8 1 0 0\n9 1 1 0\n", 9, "3 2 1 2 8 5 7\n4 2 1 2 7 5 6\n5 2 1 2 7 6 9\n", 5)));
+    EXPECT_THROW(takeMesh(fileDict(both, ""), hanging), UserError);
+    const auto doubled = readMsh(
+        folder.write("d.msh", text("5 2 0 0\n6 2 1 0\n8 1 0 0\n9 1 1 0\n", 8, "3 2 1 2 8 5 6\n4 2 1 2 8 6 9\n", 4)));
+    EXPECT_EQ(takeMesh(fileDict(both, ""), doubled).state.nodes.size(), 6);
+}
+
+}  // namespace
