@@ -74,7 +74,7 @@ protected:
         Recorder<2> recorder(theCase, problem, clock, state);
         recorder.start(controls, state, clock.deltaT(state.time));
         functions.start(state);
-        const auto report = recorder.advance(controls, state, clock.deltaT(state.time, courantRate(state).first));
+        const auto report = recorder.advance(controls, state, clock.deltaT(state.time, courantRate(state).largest));
         state.time = clock.advance(state.time, report.dt);
         functions.execute(state);
         recorder.save(state);
