@@ -126,6 +126,7 @@ void PressureSolution(benchmark::State& state) {
 void WritingOfState(benchmark::State& state) {
     const TestCase& c = column(static_cast<int>(state.range(0)));
     const auto folder = std::filesystem::temp_directory_path() / "pfemBenchmark" / "1";
+    std::filesystem::create_directories(folder.parent_path());
     for (auto _ : state) writeState<2>(folder, c.state);
     std::filesystem::remove_all(folder.parent_path());
     perTriangle(state, c);

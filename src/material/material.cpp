@@ -72,8 +72,7 @@ std::vector<Material> readMaterials(const Dictionary& dict) {
         } else {
             m.kind = MaterialKind::solid;
             m.solid = readHypoelastic(entry);
-            if (type != "hypoelastic") m.law = makeSolidLaw(type, entry, m.solid);
-            m.solid.law = m.law.get();
+            if (type != "hypoelastic") m.solid.law = makeSolidLaw(type, entry, m.solid);
         }
         materials.push_back(m);
     }

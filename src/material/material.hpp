@@ -27,7 +27,7 @@ struct Hypoelastic {
     double rho = 1000;  // density in the reference state [kg/m3]
     double E = 1e6;     // Young's modulus [Pa]
     double nu = 0;      // Poisson's ratio [-]
-    const SolidLaw* law = nullptr;  // instead of C : D; owned by the Material
+    std::shared_ptr<const SolidLaw> law = nullptr;  // instead of C : D
 
     double lambda() const { return E * nu / ((1 + nu) * (1 - 2 * nu)); }
     double mu() const { return E / (2 * (1 + nu)); }
@@ -42,7 +42,6 @@ struct Material {
     MaterialKind kind = MaterialKind::fluid;
     ViscousFluid fluid;
     Hypoelastic solid;
-    std::shared_ptr<const SolidLaw> law = nullptr;
 };
 
 /// Read all sub-dictionaries of constant/materials. Throws UserError for unknown types and absurd numbers.

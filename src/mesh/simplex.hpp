@@ -48,6 +48,15 @@ SimplexGeometry<Dim> simplexGeometry(const Points<Dim>& x, const Simplex<Dim>& s
     return g;
 }
 
+/// div v = sum_k v_k . grad N_k of the velocities at its nodes: the rate of its measure, (d|measure|/dt)/|measure| [1/s].
+template <int Dim>
+double simplexDivergence(const Points<Dim>& x, const Points<Dim>& v, const Simplex<Dim>& s) {
+    const auto g = simplexGeometry<Dim>(x, s);
+    double div = 0;
+    for (int k = 0; k <= Dim; ++k) div += v[s[k]].dot(g.gradN[k]);
+    return div;
+}
+
 /// Does the simplex hold the point, its boundary included (to 1e-12 of each height)? Never when it is inverted.
 template <int Dim>
 bool holds(const Points<Dim>& x, const Simplex<Dim>& s, const Vec<Dim>& point) {

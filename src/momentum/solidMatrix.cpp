@@ -32,7 +32,7 @@ Moduli elastic(const Hypoelastic& m, double time) { return {time * m.lambda(), t
 
 /// velocityPressure: bulk modulus of what the nodal pressure answers; the rest is integrated at the stress points.
 double pressureModulus(const Hypoelastic& m, const SolidControls& controls) {
-    return controls.stressUpdate == "neoHookean" ? m.lambda() : m.kappa();
+    return splitsEnergy(controls) ? m.lambda() : m.kappa();
 }
 
 /// Add (Omega G)^T C (Omega G) / Omega.

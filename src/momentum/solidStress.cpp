@@ -38,11 +38,8 @@ double dampingTime(const Hypoelastic& material, double alpha, double h) {
     return alpha * h * std::sqrt(material.rho / material.E);
 }
 
-template <int Dim>
-bool splitsEnergy(const Problem<Dim>& problem, const SolidControls& controls) {
-    return controls.formulation == "velocityPressure" &&
-           std::none_of(problem.materials.begin(), problem.materials.end(),
-                        [](const Material& m) { return m.kind == MaterialKind::solid && m.solid.law != nullptr; });
+bool splitsEnergy(const SolidControls& controls) {
+    return controls.formulation == "velocityPressure" && controls.stressUpdate == "neoHookean";
 }
 
 template <int Dim>
@@ -77,7 +74,7 @@ std::vector<Stress<Dim>> updatedStress(const Problem<Dim>& problem, const SolidC
     using Law = const Hypoelastic&;
     using Old = const Stress<Dim>&;
     using Gradient = const Tensor<Dim>&;
-    const bool split = splitsEnergy<Dim>(problem, controls);
+    const bool split = splitsEnergy(controls);
     if (controls.stressUpdate == "paper") {
         update(trial.v, [&](Law m, Old s, Gradient L) { return paperUpdate<Dim>(m, s, L, dt); });
     } else if (controls.stressUpdate == "neoHookean") {
@@ -119,7 +116,7 @@ SolidStress<Dim> solidStress(const Problem<Dim>& problem, const SolidControls& c
     SolidStress<Dim> stress;
     stress.point = updatedStress<Dim>(problem, controls, cells, patches, old, trial, dt);
     if (controls.formulation == "velocity") return stress;
-    if (controls.stressUpdate == "neoHookean" && splitsEnergy<Dim>(problem, controls)) {
+    if (splitsEnergy(controls)) {
         stress.pressure = volumeRatio<Dim>(patches, trial.x);
         const auto nodes = withNodalPoints<Dim>(patches);
         for (int i = 0; i < nodes.nNodes(); ++i)
@@ -166,7 +163,6 @@ void storeSolidStress(const Patches<Dim>& patches, SolidStress<Dim> stress, std:
 
 #define PFEM_INSTANTIATE(D)                                                                                        \
     template const Hypoelastic& solidMaterial<D>(const Problem<D>&, const Cells<D>&, const Patches<D>&, int);      \
-    template bool splitsEnergy<D>(const Problem<D>&, const SolidControls&);                                          \
     template std::vector<double> volumeRatio<D>(const Patches<D>&, const Points<D>&);                              \
     template Points<D> gradientPositions<D>(const SolidControls&, const Nodes<D>&, const Nodes<D>&);               \
     template SolidStress<D> solidStress<D>(const Problem<D>&, const SolidControls&, const Cells<D>&,               \

@@ -23,9 +23,8 @@ template <int Dim>
 std::vector<double> volumeRatio(const Patches<Dim>& reference, const Points<Dim>& x);
 
 /// Is the neo-Hookean energy counted in two parts, that of mu at the stress points and that of lambda at the nodes
-/// (velocityPressure)? Not where a law from outside is used: what its parts are is not known.
-template <int Dim>
-bool splitsEnergy(const Problem<Dim>& problem, const SolidControls& controls);
+/// (velocityPressure)?
+bool splitsEnergy(const SolidControls& controls);
 
 /// The solid's stress in one iterate.
 template <int Dim>

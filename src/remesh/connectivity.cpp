@@ -14,14 +14,6 @@ double height(const Points<2>& x, const Simplex<2>& s, int k) {
     return 2 * simplexMeasure<2>(x, s) / faceArea<2>(x, oppositeFace<2>(s, k)).norm();
 }
 
-/// Divergence of the nodes' velocities: the rate of the triangle's area, (d|A|/dt)/|A| [1/s].
-double areaRate(const CandidateNodes& nodes, const Simplex<2>& s) {
-    const auto g = simplexGeometry<2>(nodes.x, s);
-    double div = 0;
-    for (int k = 0; k < 3; ++k) div += nodes.v[s[k]].dot(g.gradN[k]);
-    return div;
-}
-
 double meanSize(const CandidateNodes& nodes, const Simplex<2>& s) {
     return (nodes.h[s[0]] + nodes.h[s[1]] + nodes.h[s[2]]) / 3;
 }
@@ -61,7 +53,7 @@ bool isContact(const RemeshingControls& c, const CandidateNodes& nodes, const Si
         return (nodes.x[s[fluidNode]] - nodes.x[s[dryNode]]).norm() <
                (nodes.x[s[fluidNode]] - nodes.x[s[wetNode]]).norm();
     }
-    if (areaRate(nodes, s) >= 0) return false;
+    if (simplexDivergence<2>(nodes.x, nodes.v, s) >= 0) return false;
     if (held == 2) return height(nodes.x, s, fluidNode) < c.wallContactHeight * h;
     if (dry == 1) return height(nodes.x, s, dryNode) < c.wallContactHeight * h;
     return height(nodes.x, s, longestFace(nodes.x, s)) < c.contactHeight * h;
@@ -185,7 +177,7 @@ private:
             return false;
         const double h = meanSize(nodes_, s);
         return simplexMeasure<2>(nodes_.x, s) < controls_.hangingArea * h * h ||
-               areaRate(nodes_, s) * nodes_.dt < -0.5;
+               simplexDivergence<2>(nodes_.x, nodes_.v, s) * nodes_.dt < -0.5;
     }
 
     /// A wall node that only this triangle carries, and the fluid has come nearer to the other wall node.

@@ -74,15 +74,19 @@ private:
         for (int s = ring_.start[i]; s < ring_.start[i + 1]; ++s) {
             const int j = ring_.node[s];
             if (locked_[j] && !kept_[j]) continue;
-            const double distance = (moved_.x[i] - moved_.x[j]).norm() / (0.5 * (h_[i] + h_[j]));
             // a node on a wall gives way only to its neighbours along the wall
-            const bool boundary = slides ? moved_.topology.onWall[j] || kept_[j]
-                                         : moved_.topology.freeSurface[j] || moved_.topology.onWall[j] || kept_[j];
-            if (surface ? boundary && distance < controls_.removeDistanceSurface
-                        : distance < controls_.removeDistance)
-                return true;
+            if (slides && !moved_.topology.onWall[j] && !kept_[j]) continue;
+            if (crowds(j, moved_.x[i], h_[i], surface)) return true;
         }
         return false;
+    }
+
+    /// Is node j too close to a node at x of mesh size h? One of the surface gives way to nodes of the boundary alone.
+    bool crowds(int j, const Vec<Dim>& x, double h, bool surface) const {
+        const double distance = (moved_.x[j] - x).norm() / (0.5 * (h_[j] + h));
+        if (!surface) return distance < controls_.removeDistance;
+        const bool boundary = moved_.topology.freeSurface[j] || moved_.topology.onWall[j] || kept_[j];
+        return boundary && distance < controls_.removeDistanceSurface;
     }
 
     void insertInLongEdges() {
@@ -106,13 +110,8 @@ private:
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
             const auto& cell = moved_.fluid[around.cell[s]];
             if (std::find(cell.begin(), cell.end(), j) == cell.end()) continue;
-            for (int node : cell) {
-                if (node == i || node == j) continue;
-                const double distance = (moved_.x[node] - middle).norm() / ((h_[i] + h_[j]) / 4 + h_[node] / 2);
-                const bool boundary = moved_.topology.freeSurface[node] || moved_.topology.onWall[node] || kept_[node];
-                if (surface ? boundary && distance < controls_.removeDistanceSurface : distance < controls_.removeDistance)
-                    return true;
-            }
+            for (int node : cell)
+                if (node != i && node != j && crowds(node, middle, 0.5 * (h_[i] + h_[j]), surface)) return true;
         }
         return false;
     }

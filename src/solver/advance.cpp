@@ -153,10 +153,7 @@ CourantRate courantRate(const State<Dim>& state) {
                 const double h = std::min(nodes.h[s[a]], nodes.h[s[b]]);
                 squared = std::max(squared, (nodes.v[s[a]] - nodes.v[s[b]]).squaredNorm() / (h * h));
             }
-        const auto g = simplexGeometry<Dim>(nodes.x, s);
-        double div = 0;
-        for (int k = 0; k <= Dim; ++k) div += nodes.v[s[k]].dot(g.gradN[k]);
-        rate.compression = std::max(rate.compression, -div);
+        rate.compression = std::max(rate.compression, -simplexDivergence<Dim>(nodes.x, nodes.v, s));
     }
     rate.relative = std::sqrt(squared);
     return rate;

@@ -164,8 +164,13 @@ std::vector<std::string> doubts(const Dictionary& materials, const Dictionary& g
 template <int Dim>
 void checkLaws(const Problem<Dim>& problem, const SolidControls& controls, const Dictionary& pfemSolution) {
     for (const auto& material : problem.materials) {
-        if (material.law == nullptr) continue;
-        const std::string needed = material.law->isTotal() ? "neoHookean" : "rotatedMidpoint";
+        const SolidLaw* law = material.solid.law.get();
+        if (law == nullptr) continue;
+        if (law->isTotal() && controls.formulation == "velocityPressure")
+            pfemSolution.subDictOrEmpty("solid").fatal(
+                "formulation", fmt::format("the law of material '{}' gives its stress whole: it needs the formulation velocity",
+                                           material.name));
+        const std::string needed = law->isTotal() ? "neoHookean" : "rotatedMidpoint";
         if (controls.stressUpdate != needed)
             pfemSolution.subDictOrEmpty("solid").fatal(
                 "stressUpdate", fmt::format("the law of material '{}' needs the stressUpdate {}", material.name, needed));

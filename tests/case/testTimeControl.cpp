@@ -134,6 +134,16 @@ TEST_F(TimeControlTest, CourantNumberLimitsTheStep) {
     EXPECT_EQ(time.deltaT0, 0.0005);
 }
 
+TEST_F(TimeControlTest, RelativeVelocityAndCompressionLimitTheStep) {
+    write("endTime 1; deltaT 0.01; adjustTimeStep yes; maxCo 10; maxRelativeCo 0.25; maxCompression 0.5; writeControl none;");
+    TimeControl control = open();
+    const TimeInfo time;
+    EXPECT_NEAR(control.deltaT(time, 1, 1000), 0.00025, 1e-18);
+    EXPECT_NEAR(control.deltaT(time, 1, 1, 1000), 0.0005, 1e-18);
+    EXPECT_NEAR(control.deltaT(time, 1, 1000, 1000), 0.00025, 1e-18);  // the smaller one
+    EXPECT_NEAR(control.deltaT(time, 1, 1, 1), 0.01, 1e-18);
+}
+
 TEST_F(TimeControlTest, ARejectedStepStillMeetsTheWriteTime) {
     write("endTime 0.2; deltaT 0.01; writeControl adjustable; writeInterval 0.1;");
     TimeControl control = open();

@@ -32,6 +32,15 @@ TEST(TimeName, PrecisionGrowsUntilNamesDiffer) {
     EXPECT_EQ(precisionToDistinguish(1.0, std::nextafter(1.0, 2), "general", 6), 17);
 }
 
+TEST(TimeFolders, OfOneTimeByNames) {
+    const TemporaryFolder folder;
+    State<2> empty;
+    for (const char* name : {"0.50", "0.5", "0.4"}) writeState(folder.path() / name, empty);
+    std::vector<std::string> names;
+    for (const auto& time : listTimes(folder.path()).complete) names.push_back(time.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"0.4", "0.5", "0.50"}));  // whatever the order of the disk
+}
+
 TEST(TimeFolders, NumbersOnlySortedByValue) {
     const TemporaryFolder folder;
     State<2> empty;
