@@ -8,6 +8,7 @@
 #include "momentum/fluidStress.hpp"
 #include "momentum/mass.hpp"
 #include "momentum/solidStress.hpp"
+#include "momentum/wallFriction.hpp"
 
 namespace pfem {
 
@@ -74,7 +75,7 @@ double elasticEnergy(const Problem<Dim>& problem, const Controls& controls, cons
     const auto& nodes = state.nodes;
     const auto& cells = state.mesh.solid;
     const bool hyperelastic = controls.solid.stressUpdate == "neoHookean";
-    const bool split = splitsEnergy<Dim>(problem, controls.solid);
+    const bool split = splitsEnergy(controls.solid);
     const auto around = nodeToCells<Dim>(cells.nodes, nodes.size());
     const auto patches = makePatches<Dim>(cells.nodes, around, hyperelastic ? nodes.X : nodes.x,
                                           controls.integration.scheme());
@@ -94,7 +95,7 @@ double elasticEnergy(const Problem<Dim>& problem, const Controls& controls, cons
                                                   : neoHookeanEnergy<Dim>(m, F[p]);
         sum += pointVolume<Dim>(patches, p) * density;
     }
-    if (!hyperelastic || !split) return sum;
+    if (!split) return sum;
     const auto atNodes = withNodalPoints<Dim>(patches);
     const auto J = volumeRatio<Dim>(patches, nodes.x);
     for (int i = 0; i < nodes.size(); ++i)
@@ -147,6 +148,9 @@ EnergyPowers energyPowers(const Problem<Dim>& problem, const Controls& controls,
     const auto walls = wallPower<Dim>(problemAt<Dim>(state.time.value, problem), controls, state);
     powers.walls = walls.walls;
     powers.viscous += walls.viscous;
+    Points<Dim> sides(nodes.size(), Vec<Dim>::Zero());
+    addSideFriction<Dim>(problem, mesh.fluid, fluid, nodes.v, sides);
+    for (int i = 0; i < nodes.size(); ++i) powers.viscous -= sides[i].dot(nodes.v[i]);
     return powers;
 }
 

@@ -29,6 +29,14 @@ struct NormalCollector {
     }
 };
 
+/// c_f / width of `type sideWalls`.
+double readSideFriction(const Dictionary& entry) {
+    const double width = entry.get<double>("width"), friction = entry.get<double>("friction");
+    if (!(width > 0)) entry.fatal("width", "Entry 'width' must be positive");
+    if (!(friction >= 0)) entry.fatal("friction", "Entry 'friction' must not be negative");
+    return friction / width;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -37,9 +45,13 @@ BoundaryConditions<Dim> readBoundaryConditions(const Dictionary& dict, const std
     BoundaryConditions<Dim> result;
     std::vector<std::string> names;
     for (const auto& patch : patches) names.push_back(patch.name);
-    for (const auto& key : dict.keys())
-        if (key != "FoamFile" && dict.isDict(key) && std::find(names.begin(), names.end(), key) == names.end())
+    for (const auto& key : dict.keys()) {
+        if (key == "FoamFile" || !dict.isDict(key) || std::find(names.begin(), names.end(), key) != names.end()) continue;
+        const Dictionary& entry = dict.subDict(key);
+        if (Dim != 2 || !entry.found("type") || entry.get<std::string>("type") != "sideWalls")
             dict.fatal(key, notValid(key, "patch", names));
+        result.sideFriction += readSideFriction(entry);
+    }
 
     for (const auto& patch : patches) {
         const Dictionary& entry = dict.subDict(patch.name);

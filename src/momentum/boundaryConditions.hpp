@@ -20,6 +20,7 @@ struct BoundaryConditions {
     std::vector<std::shared_ptr<const WallMotion>> motion;  // null: at rest; walls and clamped patches only
 
     std::vector<double> friction;  // c_f of slip walls [-], see momentum/wallFriction.hpp
+    double sideFriction = 0;       // (2D) c_f over the distance of the two walls in front and behind [1/m]
 
     bool anyMotion() const {
         return std::any_of(motion.begin(), motion.end(), [](const auto& m) { return m != nullptr; });

@@ -38,6 +38,25 @@ void addWallFriction(const Problem<Dim>& problem, const Cells<Dim>& fluid, const
     }
 }
 
+template <int Dim>
+Vec<Dim> sideFriction(const Problem<Dim>& problem, double rho, const Vec<Dim>& v) {
+    return -rho * problem.conditions.sideFriction * v.norm() * v;
+}
+
+template <int Dim>
+void addSideFriction(const Problem<Dim>& problem, const Cells<Dim>& fluid, const Patches<Dim>& patches,
+                     const Points<Dim>& v, Points<Dim>& force) {
+    if (problem.conditions.sideFriction == 0) return;
+    const NodeToCells& around = *patches.around;
+    for (int i = 0; i < patches.nNodes(); ++i) {
+        if (around.count(i) == 0) continue;
+        const double rho = problem.fluid(fluid.material[around.cell[around.start[i]]]).rho;
+        force[i] += patches.volume[i] * sideFriction<Dim>(problem, rho, v[i]);
+    }
+}
+
+template Vec<2> sideFriction<2>(const Problem<2>&, double, const Vec<2>&);
+template void addSideFriction<2>(const Problem<2>&, const Cells<2>&, const Patches<2>&, const Points<2>&, Points<2>&);
 template Vec<2> slidingVelocity<2>(const Problem<2>&, int, const Vec<2>&, const Vec<2>&, const Vec<2>&);
 template Vec<2> wallFriction<2>(const Problem<2>&, int, double, const Vec<2>&);
 template void addWallFriction<2>(const Problem<2>&, const Cells<2>&, const Topology<2>&, const Nodes<2>&, Points<2>&);

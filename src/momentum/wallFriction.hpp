@@ -5,6 +5,7 @@
 //
 // c_f of a smooth wall is 0.079 Re^(-1/4) (Blasius; Re with four times the depth of the flow), 0.003 ... 0.006 in the laboratory.
 
+#include "integration/nodalPatches.hpp"
 #include "state/problem.hpp"
 
 namespace pfem {
@@ -21,5 +22,14 @@ Vec<Dim> wallFriction(const Problem<Dim>& problem, int patch, double rho, const 
 template <int Dim>
 void addWallFriction(const Problem<Dim>& problem, const Cells<Dim>& fluid, const Topology<Dim>& topology,
                      const Nodes<Dim>& nodes, Points<Dim>& force);
+
+/// Force per volume of the two walls in front of and behind a plane flow, at the distance b: - rho c_f |v| v / b [N/m3].
+template <int Dim>
+Vec<Dim> sideFriction(const Problem<Dim>& problem, double rho, const Vec<Dim>& v);
+
+/// Add it for the patches of the fluid.
+template <int Dim>
+void addSideFriction(const Problem<Dim>& problem, const Cells<Dim>& fluid, const Patches<Dim>& patches,
+                     const Points<Dim>& v, Points<Dim>& force);
 
 }  // namespace pfem

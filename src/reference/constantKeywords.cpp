@@ -64,6 +64,11 @@ std::vector<KeywordTable> constantKeywords() {
            "of a slip wall: shear stress rho c_f |u| u / 2; smooth walls 0.079 Re^(-1/4), Re with 4 times the depth", ">= 0"},
           {"motion", "dictionary", "-", "at rest", "how a wall or a clamped patch moves", ""}}},
         {conditions,
+         "sideWalls",
+         "Walls in front of and behind a plane flow, with friction (2D). Under any name that no patch has.",
+         {{"width", "scalar", "m", "required", "their distance", "> 0"},
+          {"friction", "scalar", "-", "required", "c_f of each, as of slip walls: force per volume - rho c_f |v| v / width", ">= 0"}}},
+        {conditions,
          "motion",
          "A rigid motion: a displacement, or a turn about a point that is displaced, or both. Values of time are written as "
          "OpenFOAM's: constant, table, tableFile, polynomial, sine, square, scale; also expression.",

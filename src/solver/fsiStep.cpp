@@ -95,14 +95,15 @@ double viscousScale(const Patches<Dim>& fluid, const std::vector<double>& mu, co
 }
 
 /// Largest density times g times the mean node distance: the pressure that one layer of fluid makes. The part of the
-/// velocity keeps the round-off of a flow without gravity or pressure from counting as a change.
+/// velocity keeps the round-off of a flow without gravity or pressure from counting as a change; so does `roundOff` [1/s],
+/// the part of the velocities that cannot be told apart over the length of the step and the tolerance.
 template <int Dim>
-double pressureScale(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const Nodes<Dim>& nodes) {
+double pressureScale(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const Nodes<Dim>& nodes, double roundOff) {
     double rho = 0, h = 0;
     for (int material : mesh.fluid.material) rho = std::max(rho, problem.fluid(material).rho);
     for (double size : nodes.h) h += size / nodes.size();
     const double v = rms<Dim>(nodes.v);
-    return rho * (problem.gravity.norm() * h + 1e-6 * v * v);
+    return rho * (problem.gravity.norm() * h + 1e-6 * v * v + roundOff * v * h);
 }
 
 /// Solid mass (constant) plus fluid mass in the configuration of the patches.
@@ -139,7 +140,8 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
                                            old.x, momentum.solidDofs(), momentum.solidMatrix(), newmark);
 
     Convergence convergence(controls.convergence, problem.gravity.norm() * dt,
-                            pressureScale<Dim>(problem, mesh, old) + viscousScale<Dim>(fluid, cellMu, old.v));
+                            pressureScale<Dim>(problem, mesh, old, 1e-14 / (dt * controls.convergence.tolP)) +
+                                viscousScale<Dim>(fluid, cellMu, old.v));
     StepReport report;
     std::vector<double> dp;
     SolidStress<Dim> stressOfSolid;
@@ -166,6 +168,7 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
             viscous = viscousForce<Dim>(fluid, viscosity.mu, trial.v);
         auto external = tractionForce<Dim>(mesh, problem.conditions, trial.x);
         addWallFriction<Dim>(problem, mesh.fluid, topology, trial, external);
+        addSideFriction<Dim>(problem, mesh.fluid, fluid, trial.v, external);
         for (int i = 0; i < trial.size(); ++i) external[i] -= viscous[i];
         const auto R_m = momentumResidual<Dim>(
             mass, trial.a, problem.gravity, fluid, trial.p, solid,

@@ -96,11 +96,11 @@ TEST(Keywords, ConstantIsComplete) {
     expectDocumented(*materials.node(), names(constantKeywords()), {"water", "mud", "clay", "steel"});
     const auto conditions = Dictionary::parse(
         "a { type slip; friction 0.004; } b { type clamped; } c { type symmetry; } d { type traction; traction (0 1 0); } e "
-        "{ type noSlip; motion { velocity (1 0 0); omega 1; origin (0 0 0); } }");
+        "{ type noSlip; motion { velocity (1 0 0); omega 1; origin (0 0 0); } } f { type sideWalls; width 1; friction 0.004; }");
     std::vector<Patch<2>> patches;
     for (const char* name : {"a", "b", "c", "d", "e"}) patches.push_back({name, {}});
     readBoundaryConditions<2>(conditions, patches);
-    expectDocumented(*conditions.node(), names(constantKeywords()), {"a", "b", "c", "d", "e", "FoamFile"});
+    expectDocumented(*conditions.node(), names(constantKeywords()), {"a", "b", "c", "d", "e", "f", "FoamFile"});
 }
 
 TEST(Keywords, FunctionsAreComplete) {

@@ -1,0 +1,106 @@
+// Friction of walls along which water slides: tau_w = rho c_f |u| u/2.
+
+#include <gtest/gtest.h>
+
+#include "momentum/wallFriction.hpp"
+#include "support/cases.hpp"
+
+using namespace pfem;
+using namespace pfem::test;
+
+namespace {
+
+constexpr double cf = 0.02, rho = 1000;
+
+/// 1 m of water, 0.2 m deep, without gravity: it slides over the floor at u, all at one speed.
+TestCase slidingWater(double u, const std::string& floor = "floor { type slip; friction 0.02; }") {
+    TestCase c = makeCase("meshSize 0.05; bodies ( water { type fluid; material water; velocity (" + std::to_string(u) +
+                              " 0); " + rectangle(1, 0, 2, 0.2) + " } ); walls ( floor { points ((0 0) (4 0)); } );",
+                          water, floor, {0, 0});
+    return c;
+}
+
+Vec<2> total(const Points<2>& force) {
+    Vec<2> sum = Vec<2>::Zero();
+    for (const auto& f : force) sum += f;
+    return sum;
+}
+
+Points<2> frictionOf(const TestCase& c) {
+    Points<2> force(c.state.nodes.size(), Vec<2>::Zero());
+    addWallFriction<2>(c.problem, c.state.mesh.fluid, c.topology(), c.state.nodes, force);
+    return force;
+}
+
+TEST(WallFriction, isTheStressTimesTheWettedLength) {
+    TestCase c = slidingWater(3);
+    remesh<2>(c.controls.remeshing, c.kinds(), c.state);  // nodes land on the wall
+    const Vec<2> force = total(frictionOf(c));
+    EXPECT_NEAR(force[0], -0.5 * rho * cf * 9, 1e-9 * rho);
+    EXPECT_NEAR(force[1], 0, 1e-12);
+    for (auto& v : c.state.nodes.v) v = {-3, 0};  // the other way
+    EXPECT_NEAR(total(frictionOf(c))[0], 0.5 * rho * cf * 9, 1e-9 * rho);
+}
+
+TEST(WallFriction, countsVelocityRelativeToTheWall) {
+    TestCase c = slidingWater(3, "floor { type slip; friction 0.02; motion { velocity (1 0 0); } }");
+    remesh<2>(c.controls.remeshing, c.kinds(), c.state);
+    EXPECT_NEAR(total(frictionOf(c))[0], -0.5 * rho * cf * 4, 1e-6 * rho);
+}
+
+// u' = - c_f u^2/b of water far from everything else: u = u0/(1 + c_f u0 t/b)
+TEST(SideWalls, slowTheFlow) {
+    TestCase c = slidingWater(3, "floor { type slip; } glass { type sideWalls; width 0.1; friction 0.02; }");
+    remesh<2>(c.controls.remeshing, c.kinds(), c.state);
+    c.tolerance(1e-9);
+    const double dt = 2e-3;
+    c.start(dt);
+    for (int k = 0; k < 25; ++k) c.step(dt);
+    const double u = 3 / (1 + 0.02 * 3 * 0.05 / 0.1);
+    EXPECT_NEAR(c.state.time.value, 0.05, 1e-12);
+    double worst = 0, mean = 0, mass = 0;
+    for (const auto& s : c.state.mesh.fluid.nodes)
+        for (int node : s) {
+            const double share = simplexMeasure<2>(c.state.nodes.x, s) / 3, error = c.state.nodes.v[node][0] - u;
+            mass += share;
+            mean += share * error;
+            worst = std::max(worst, std::abs(error));
+        }
+    EXPECT_NEAR(mean / mass, 0, 1e-4 * u);
+    EXPECT_LT(worst, 2e-3 * u);
+}
+
+TEST(SideWalls, badWords) {
+    const auto fails = [](const std::string& entry) {
+        EXPECT_THROW(slidingWater(3, "floor { type slip; } " + entry), UserError) << entry;
+    };
+    fails("glass { type sideWalls; friction 0.02; }");
+    fails("glass { type sideWalls; width 0.1; }");
+    fails("glass { type sideWalls; width 0; friction 0.02; }");
+    fails("glass { type sideWalls; width 0.1; friction -1; }");
+    fails("glass { type slip; }");
+}
+
+TEST(WallFriction, slowsTheFlow) {
+    TestCase c = slidingWater(3);
+    remesh<2>(c.controls.remeshing, c.kinds(), c.state);
+    c.tolerance(1e-9);
+    const double dt = 1e-3;
+    c.start(dt);  // trapezoidal steps need the acceleration at their start
+    const auto momentum = [&] {
+        double sum = 0;
+        for (const auto& s : c.state.mesh.fluid.nodes)
+            for (int node : s) sum += rho * simplexMeasure<2>(c.state.nodes.x, s) / 3 * c.state.nodes.v[node][0];
+        return sum;
+    };
+    double before = momentum();
+    for (int k = 0; k < 4; ++k) {
+        const double drag = total(frictionOf(c))[0];
+        c.step(dt);
+        const double lost = momentum() - before;
+        EXPECT_NEAR(lost, 0.5 * dt * (drag + total(frictionOf(c))[0]), 0.01 * dt * 90) << k;
+        before = momentum();
+    }
+}
+
+}  // namespace
