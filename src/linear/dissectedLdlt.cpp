@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "base/error.hpp"
+#include "linear/nestedDissection.hpp"
 
 namespace pfem {
 
@@ -25,13 +26,35 @@ std::vector<unsigned char> sharedUnknowns(const SymmetricMatrix& A, const std::v
 /// quasi-definite.
 double standIn(const SymmetricMatrix& A, int unknown) { return 3 * A.value[A.start[unknown]]; }
 
+/// Which interior unknowns of a part meet. `place` per unknown: its index in the part, negative for others.
+MatrixGraph interiorGraph(const SymmetricMatrix& A, const std::vector<int>& interior, const std::vector<int>& place) {
+    const int n = static_cast<int>(interior.size());
+    const auto forPairs = [&](const auto& visit) {
+        for (int f = 0; f < n; ++f)
+            for (int s = A.start[interior[f]] + 1; s < A.start[interior[f] + 1]; ++s)
+                if (place[A.row[s]] >= 0) visit(f, place[A.row[s]]);
+    };
+    MatrixGraph graph;
+    graph.start.assign(n + 1, 0);
+    forPairs([&](int a, int b) {
+        ++graph.start[a + 1];
+        ++graph.start[b + 1];
+    });
+    for (int f = 0; f < n; ++f) graph.start[f + 1] += graph.start[f];
+    graph.neighbour.resize(graph.start[n]);
+    std::vector<int> next(graph.start.begin(), graph.start.end() - 1);
+    forPairs([&](int a, int b) {
+        graph.neighbour[next[a]++] = b;
+        graph.neighbour[next[b]++] = a;
+    });
+    return graph;
+}
+
 /// [A_ff A_fl; A_lf D] of one part, D the stand-in; appends to `shared` the places it meets. `place` per unknown:
 /// its index in the part, or -2 - its place among the shared ones, or -1 for those of other parts.
-SymmetricMatrix partMatrix(const SymmetricMatrix& A, const std::vector<int>& interior, const std::vector<int>& place,
-                           const std::vector<int>& sharedUnknown, std::vector<int>& shared) {
+LowerRows partRows(const SymmetricMatrix& A, const std::vector<int>& interior, const std::vector<int>& place,
+                   const std::vector<int>& sharedUnknown, std::vector<int>& shared) {
     const int n = static_cast<int>(interior.size());
-    // entries above the diagonal of the part: shared columns with interior rows, stored in the row's column
-    std::vector<std::vector<std::pair<int, double>>> late(n);
     std::vector<int> last(sharedUnknown.size(), -1);
     const auto lastIndex = [&](int k) {
         if (last[k] < 0) {
@@ -40,38 +63,35 @@ SymmetricMatrix partMatrix(const SymmetricMatrix& A, const std::vector<int>& int
         }
         return last[k];
     };
-    for (std::size_t k = 0; k < sharedUnknown.size(); ++k) {
-        const int j = sharedUnknown[k];
-        for (int s = A.start[j] + 1; s < A.start[j + 1]; ++s)
-            if (place[A.row[s]] >= 0 && interior[place[A.row[s]]] == A.row[s])
-                late[place[A.row[s]]].emplace_back(lastIndex(static_cast<int>(k)), A.value[s]);
-    }
-    SymmetricMatrix M;
-    M.start.push_back(0);
-    for (int f = 0; f < n; ++f) {
-        const int j = interior[f];
-        for (int s = A.start[j]; s < A.start[j + 1]; ++s) {
-            const int at = place[A.row[s]];
-            if (at <= -2) {
-                late[f].emplace_back(lastIndex(-2 - at), A.value[s]);
-            } else {
-                M.row.push_back(at);
-                M.value.push_back(A.value[s]);
+    const auto forEntries = [&](const auto& visit) {  // visit(row, column, value)
+        for (int f = 0; f < n; ++f)
+            for (int s = A.start[interior[f]]; s < A.start[interior[f] + 1]; ++s) {
+                const int at = place[A.row[s]];
+                if (at >= 0)
+                    visit(std::max(at, f), std::min(at, f), A.value[s]);
+                else if (at <= -2)
+                    visit(lastIndex(-2 - at), f, A.value[s]);
             }
-        }
-        std::sort(late[f].begin(), late[f].end());
-        for (const auto& [row, value] : late[f]) {
-            M.row.push_back(row);
-            M.value.push_back(value);
-        }
-        M.start.push_back(static_cast<int>(M.row.size()));
-    }
-    for (std::size_t k = 0; k < shared.size(); ++k) {
-        M.row.push_back(n + static_cast<int>(k));
-        M.value.push_back(standIn(A, sharedUnknown[shared[k]]));
-        M.start.push_back(static_cast<int>(M.row.size()));
-    }
+        for (std::size_t k = 0; k < sharedUnknown.size(); ++k)
+            for (int s = A.start[sharedUnknown[k]] + 1; s < A.start[sharedUnknown[k] + 1]; ++s)
+                if (place[A.row[s]] >= 0) visit(lastIndex(static_cast<int>(k)), place[A.row[s]], A.value[s]);
+    };
+    LowerRows M;
+    M.start.assign(n + sharedUnknown.size() + 1, 0);
+    forEntries([&](int row, int, double) { ++M.start[row + 1]; });
     M.n = n + static_cast<int>(shared.size());
+    M.start.resize(M.n + 1);
+    for (int i = 0; i < M.n; ++i) M.start[i + 1] += M.start[i] + (i >= n);
+    M.column.resize(M.start[M.n]);
+    M.value.resize(M.start[M.n]);
+    std::vector<int> next(M.start.begin(), M.start.end() - 1);
+    const auto put = [&](int row, int column, double value) {
+        M.column[next[row]] = column;
+        M.value[next[row]++] = value;
+    };
+    forEntries(put);
+    for (std::size_t k = 0; k < shared.size(); ++k)
+        put(n + static_cast<int>(k), n + static_cast<int>(k), standIn(A, sharedUnknown[shared[k]]));
     return M;
 }
 
@@ -122,7 +142,9 @@ SymmetricMatrix betweenMatrix(const SymmetricMatrix& A, const std::vector<int>& 
 
 }  // namespace
 
-void DissectedLdlt::factorize(const SymmetricMatrix& A, const std::vector<int>& part, int nParts) {
+template <int Dim>
+void DissectedLdlt::factorize(const SymmetricMatrix& A, const std::vector<Eigen::Matrix<double, Dim, 1>>& where,
+                              const std::vector<int>& part, int nParts) {
     shared_.clear();
     parts_.clear();
     parts_.resize(nParts);
@@ -141,10 +163,17 @@ void DissectedLdlt::factorize(const SymmetricMatrix& A, const std::vector<int>& 
         Part& own = parts_[p];
         if (own.interior.empty()) return;
         std::vector<int> place = placeShared;
+        std::vector<Eigen::Matrix<double, Dim, 1>> inside;
+        for (std::size_t f = 0; f < own.interior.size(); ++f) {
+            place[own.interior[f]] = static_cast<int>(f);
+            inside.push_back(where[own.interior[f]]);
+        }
+        std::vector<int> order = nestedDissection<Dim>(interiorGraph(A, own.interior, place), inside);
+        for (int& f : order) f = own.interior[f];
+        own.interior = std::move(order);
         for (std::size_t f = 0; f < own.interior.size(); ++f) place[own.interior[f]] = static_cast<int>(f);
-        const SymmetricMatrix M = partMatrix(A, own.interior, place, shared_, own.shared);
-        own.factor.analyze(M, static_cast<int>(own.shared.size()));
-        own.factor.factorize(M);
+        const LowerRows M = partRows(A, own.interior, place, shared_, own.shared);
+        own.factor.factorize(M, static_cast<int>(own.shared.size()));
         block[p] = own.factor.lastBlock();
         for (std::size_t k = 0; k < own.shared.size(); ++k) block[p](k, k) -= standIn(A, shared_[own.shared[k]]);
     });
@@ -166,7 +195,6 @@ void DissectedLdlt::factorize(const SymmetricMatrix& A, const std::vector<int>& 
 
 Eigen::VectorXd DissectedLdlt::solve(const Eigen::VectorXd& b) const {
     const int nParts = static_cast<int>(parts_.size());
-    if (shared_.empty() && nParts == 1) return parts_[0].factor.solve(b);
     std::vector<Eigen::VectorXd> own(nParts);
     forAll(nParts, [&](int p) {
         const Part& part = parts_[p];
@@ -211,6 +239,12 @@ std::vector<int> slabs(const std::vector<Eigen::Matrix<double, Dim, 1>>& place, 
         part[i] = static_cast<int>(std::upper_bound(cuts.begin(), cuts.end(), place[i][axis]) - cuts.begin());
     return part;
 }
+
+#define PFEM_INSTANTIATE(D)                                                                                        \
+    template void DissectedLdlt::factorize<D>(const SymmetricMatrix&, const std::vector<Eigen::Matrix<double, D, 1>>&, \
+                                              const std::vector<int>&, int);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 template std::vector<int> slabs<2>(const std::vector<Eigen::Matrix<double, 2, 1>>&, int, int);
 template std::vector<int> slabs<3>(const std::vector<Eigen::Matrix<double, 3, 1>>&, int, int);

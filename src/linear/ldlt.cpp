@@ -2,7 +2,6 @@
 
 #include <cholmod.h>
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -10,10 +9,22 @@
 
 namespace pfem {
 
+namespace {
+
+/// Are all pivots numbers? CHOLMOD itself goes on with those that are not.
+bool isFinite(const cholmod_factor& L) {
+    const auto* start = static_cast<const int*>(L.p);
+    const auto* value = static_cast<const double*>(L.x);
+    for (std::size_t j = 0; j < L.n; ++j)
+        if (!std::isfinite(value[start[j]])) return false;
+    return true;
+}
+
+}  // namespace
+
 struct Ldlt::Cholmod {
     cholmod_common common;
     cholmod_factor* factor = nullptr;
-    int n = 0;
     int nLast = 0;
 
     Cholmod() {
@@ -30,24 +41,47 @@ struct Ldlt::Cholmod {
     }
     Cholmod(const Cholmod&) = delete;
     Cholmod& operator=(const Cholmod&) = delete;
+
+    void analyze(cholmod_sparse& A) {
+        if (factor) cholmod_free_factor(&factor, &common);
+        factor = cholmod_analyze(&A, &common);
+        if (!factor) throw StepFailure("matrix analysis failed (out of memory?)");
+    }
+    void factorize(cholmod_sparse& A) {
+        cholmod_factorize(&A, factor, &common);
+        if (common.status < CHOLMOD_OK || factor->minor < factor->n || !isFinite(*factor))
+            throw StepFailure("matrix factorisation failed: a pivot vanishes or is not finite");
+    }
 };
 
 namespace {
 
-/// A view of A for CHOLMOD; nothing is copied or changed.
-cholmod_sparse view(const SymmetricMatrix& A) {
+/// A view of a triangle for CHOLMOD, by columns; nothing is copied or changed.
+cholmod_sparse view(int n, const std::vector<int>& start, const std::vector<int>& index, const std::vector<double>& value) {
     cholmod_sparse s{};
-    s.nrow = s.ncol = static_cast<std::size_t>(A.n);
-    s.nzmax = A.row.size();
-    s.p = const_cast<int*>(A.start.data());
-    s.i = const_cast<int*>(A.row.data());
-    s.x = const_cast<double*>(A.value.data());
-    s.stype = -1;
+    s.nrow = s.ncol = static_cast<std::size_t>(n);
+    s.nzmax = index.size();
+    s.p = const_cast<int*>(start.data());
+    s.i = const_cast<int*>(index.data());
+    s.x = const_cast<double*>(value.data());
     s.itype = CHOLMOD_INT;
     s.xtype = CHOLMOD_REAL;
     s.dtype = CHOLMOD_DOUBLE;
-    s.sorted = 1;
     s.packed = 1;
+    return s;
+}
+
+cholmod_sparse view(const SymmetricMatrix& A) {
+    cholmod_sparse s = view(A.n, A.start, A.row, A.value);
+    s.stype = -1;
+    s.sorted = 1;
+    return s;
+}
+
+/// Rows of the lower triangle are columns of the upper one: the form that CHOLMOD factors without a copy.
+cholmod_sparse view(const LowerRows& A) {
+    cholmod_sparse s = view(A.n, A.start, A.column, A.value);
+    s.stype = 1;
     return s;
 }
 
@@ -66,15 +100,6 @@ struct Columns {
           n(static_cast<int>(L.n)) {}
 };
 
-/// Are all pivots numbers? CHOLMOD itself goes on with those that are not.
-bool isFinite(const cholmod_factor& L) {
-    const auto* start = static_cast<const int*>(L.p);
-    const auto* value = static_cast<const double*>(L.x);
-    for (std::size_t j = 0; j < L.n; ++j)
-        if (!std::isfinite(value[start[j]])) return false;
-    return true;
-}
-
 }  // namespace
 
 Ldlt::Ldlt() : cholmod_(std::make_unique<Cholmod>()) {}
@@ -82,47 +107,41 @@ Ldlt::~Ldlt() = default;
 Ldlt::Ldlt(Ldlt&&) noexcept = default;
 Ldlt& Ldlt::operator=(Ldlt&&) noexcept = default;
 
-void Ldlt::analyze(const SymmetricMatrix& A, int nLast) {
+void Ldlt::analyze(const SymmetricMatrix& A) {
     auto& c = *cholmod_;
-    if (c.factor) cholmod_free_factor(&c.factor, &c.common);
     cholmod_sparse s = view(A);
-    c.n = A.n;
-    c.nLast = nLast;
-    if (nLast == 0) {
-        c.common.method[0].ordering = CHOLMOD_AMD;
-        c.common.postorder = 1;
-        c.factor = cholmod_analyze(&s, &c.common);
-    } else {
-        std::vector<int> order(A.n), group(A.n, 0);
-        std::fill(group.end() - nLast, group.end(), 1);
-        if (!cholmod_camd(&s, nullptr, 0, group.data(), order.data(), &c.common))
-            throw StepFailure("matrix ordering failed (out of memory?)");
-        c.common.method[0].ordering = CHOLMOD_GIVEN;
-        c.common.postorder = 0;  // it would mix the groups
-        c.factor = cholmod_analyze_p(&s, order.data(), nullptr, 0, &c.common);
-    }
-    if (!c.factor) throw StepFailure("matrix analysis failed (out of memory?)");
+    c.nLast = 0;
+    c.common.method[0].ordering = CHOLMOD_AMD;
+    c.common.postorder = 1;
+    c.analyze(s);
 }
 
 void Ldlt::factorize(const SymmetricMatrix& A) {
+    cholmod_sparse s = view(A);
+    cholmod_->factorize(s);
+}
+
+void Ldlt::factorize(const LowerRows& A, int nLast) {
     auto& c = *cholmod_;
     cholmod_sparse s = view(A);
-    cholmod_factorize(&s, c.factor, &c.common);
-    if (c.common.status < CHOLMOD_OK || c.factor->minor < static_cast<std::size_t>(c.n) || !isFinite(*c.factor))
-        throw StepFailure("matrix factorisation failed: a pivot vanishes or is not finite");
+    c.nLast = nLast;
+    c.common.method[0].ordering = CHOLMOD_NATURAL;
+    c.common.postorder = 0;  // it would mix the last ones with the others
+    c.analyze(s);
+    c.factorize(s);
 }
 
 Eigen::VectorXd Ldlt::solve(const Eigen::VectorXd& b) const {
     auto& c = *cholmod_;
     cholmod_dense rhs{};
-    rhs.nrow = rhs.d = rhs.nzmax = static_cast<std::size_t>(c.n);
+    rhs.nrow = rhs.d = rhs.nzmax = c.factor->n;
     rhs.ncol = 1;
     rhs.x = const_cast<double*>(b.data());
     rhs.xtype = CHOLMOD_REAL;
     rhs.dtype = CHOLMOD_DOUBLE;
     cholmod_dense* solution = cholmod_solve(CHOLMOD_A, c.factor, &rhs, &c.common);
     if (!solution) throw StepFailure("linear solution failed");
-    Eigen::VectorXd x = Eigen::Map<Eigen::VectorXd>(static_cast<double*>(solution->x), c.n);
+    Eigen::VectorXd x = Eigen::Map<Eigen::VectorXd>(static_cast<double*>(solution->x), b.size());
     cholmod_free_dense(&solution, &c.common);
     return x;
 }

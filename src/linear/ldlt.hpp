@@ -16,12 +16,16 @@ public:
     Ldlt(Ldlt&&) noexcept;
     Ldlt& operator=(Ldlt&&) noexcept;
 
-    /// Fill-reducing ordering and pattern of L (approximate minimum degree). The last nLast unknowns are ordered last.
-    void analyze(const SymmetricMatrix& A, int nLast = 0);
+    /// Fill-reducing ordering and pattern of L (approximate minimum degree).
+    void analyze(const SymmetricMatrix& A);
 
     /// Numerical factorisation; the pattern must be the analysed one.
     /// Throws StepFailure when a pivot vanishes or is not finite.
     void factorize(const SymmetricMatrix& A);
+
+    /// Analysis and factorisation with the unknowns eliminated in the order they have. The last nLast of them can be
+    /// treated apart, see below. Throws as above.
+    void factorize(const LowerRows& A, int nLast = 0);
 
     Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 

@@ -2,6 +2,7 @@
 
 #include "linear/dissectedLdlt.hpp"
 #include "linear/ldlt.hpp"
+#include "linear/nestedDissection.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <random>
+#include <set>
 
 #include "base/error.hpp"
 
@@ -80,9 +83,19 @@ TEST(Ldlt, lastUnknownsAreTheSchurComplement) {
     const int nLast = 7;
     const auto q = quasiDefinite(30, 20, 8);
     const int n = q.A.n, nFirst = n - nLast;
+    LowerRows rows;
+    rows.n = n;
+    rows.start.push_back(0);
+    for (int i = 0; i < n; ++i) {
+        for (int j = i; j >= 0; --j) {  // any order will do
+            if (q.dense(i, j) == 0) continue;
+            rows.column.push_back(j);
+            rows.value.push_back(q.dense(i, j));
+        }
+        rows.start.push_back(static_cast<int>(rows.column.size()));
+    }
     Ldlt factor;
-    factor.analyze(q.A, nLast);
-    factor.factorize(q.A);
+    factor.factorize(rows, nLast);
     const Eigen::MatrixXd Aff = q.dense.topLeftCorner(nFirst, nFirst);
     const Eigen::MatrixXd Alf = q.dense.bottomLeftCorner(nLast, nFirst);
     const Eigen::MatrixXd exact = q.dense.bottomRightCorner(nLast, nLast) - Alf * Aff.fullPivLu().solve(Alf.transpose());
@@ -105,7 +118,7 @@ TEST(DissectedLdlt, anyPartsGiveTheSolution) {
         const auto part = slabs<2>(place, nParts, 1);
         for (int p = 0; p < nParts; ++p) EXPECT_NEAR(std::count(part.begin(), part.end(), p), 50.0 / nParts, 1);
         DissectedLdlt factor;
-        factor.factorize(q.A, part, nParts);
+        factor.factorize<2>(q.A, place, part, nParts);
         const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(50, -1, 2);
         EXPECT_LT((q.dense * factor.solve(b) - b).norm(), 1e-11) << nParts;
     }
@@ -118,10 +131,51 @@ TEST(DissectedLdlt, apartAndEmptyParts) {
     A.add(2, 3, -1);
     for (const auto& part : {std::vector<int>{0, 0, 1, 1}, {1, 1, 1, 1}, {0, 1, 0, 1}}) {
         DissectedLdlt factor;
-        factor.factorize(A, part, 2);
+        factor.factorize<2>(A, std::vector<Eigen::Vector2d>(4, Eigen::Vector2d(1, 2)), part, 2);
         const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(4, 1, 4);
         EXPECT_LT((A.multiply(factor.solve(b)) - b).norm(), 1e-13);
     }
+}
+
+/// Entries of L of a matrix with this graph, eliminated in this order.
+int fill(const MatrixGraph& graph, const std::vector<int>& order) {
+    const int n = static_cast<int>(order.size());
+    std::vector<int> position(n);
+    for (int k = 0; k < n; ++k) position[order[k]] = k;
+    std::vector<std::set<int>> later(n);
+    for (int k = 0; k < n; ++k)
+        for (int s = graph.start[order[k]]; s < graph.start[order[k] + 1]; ++s)
+            if (position[graph.neighbour[s]] > k) later[k].insert(position[graph.neighbour[s]]);
+    int entries = 0;
+    for (int k = 0; k < n; ++k) {
+        entries += static_cast<int>(later[k].size());
+        if (later[k].empty()) continue;
+        const int parent = *later[k].begin();
+        later[parent].insert(std::next(later[k].begin()), later[k].end());
+    }
+    return entries;
+}
+
+TEST(NestedDissection, littleFillOnASquare) {
+    const int m = 40;  // m x m places, neighbours along both axes and one diagonal: a mesh of triangles
+    MatrixGraph graph;
+    std::vector<Eigen::Vector2d> place;
+    graph.start.push_back(0);
+    for (int i = 0; i < m * m; ++i) {
+        const int x = i % m, y = i / m;
+        place.push_back({x, y});
+        for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}})
+            if (x + dx >= 0 && x + dx < m && y + dy >= 0 && y + dy < m) graph.neighbour.push_back(i + dx + m * dy);
+        graph.start.push_back(static_cast<int>(graph.neighbour.size()));
+    }
+    const auto order = nestedDissection<2>(graph, place);
+    auto sorted = order;
+    std::sort(sorted.begin(), sorted.end());
+    for (int i = 0; i < m * m; ++i) ASSERT_EQ(sorted[i], i);  // each once
+    std::vector<int> rowByRow(m * m);
+    std::iota(rowByRow.begin(), rowByRow.end(), 0);
+    EXPECT_LT(fill(graph, order), 0.6 * fill(graph, rowByRow));
+    EXPECT_LT(fill(graph, order), 8 * m * m * std::log2(m));
 }
 
 TEST(Ldlt, singularMatrixFailsTheStep) {
