@@ -8,7 +8,7 @@ import pfem
 
 case = pfem.Case()
 plt = pfem.pyplot()
-H, shift = 0.3, 0.1  # depth of the column; the experiment's clock starts with the gate (see README)
+H, shift = 0.3, 0.055  # depth of the column; the experiment's clock starts with the gate (see README)
 
 
 def star(t):

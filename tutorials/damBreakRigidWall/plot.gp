@@ -1,16 +1,18 @@
 # Pictures of a run beside the experiment: front.png, pressure.png, levels.png, mass.png.
-# Run in the case:  gnuplot plot.gp        With study/noSlip its curves are drawn too.
+# Run in the case:  gnuplot plot.gp        With study/noSlip or study/gate their curves are drawn, too.
 set datafile separator ","
 set grid lc rgb "#dddddd"
 set border lw 1.2
 H = 0.3
 unit = sqrt(9.81/H)       # t* = unit t
 pUnit = 997*9.81*H        # p* = p/pUnit
-shift = 0.05              # the experiment's clock starts with the gate (see README)
+shift = 0.055             # the experiment's clock starts with the gate (see README)
 star(t) = t*unit + shift
 dry(p) = p < -1e299 ? 0 : p
 noSlip = int(system("test -d study/noSlip/postProcessing && echo 1 || echo 0"))
 history(what) = "< pfemHistory -csv ".what
+gate = int(system("test -d study/gate/postProcessing && echo 1 || echo 0"))
+lifted(what) = "< pfemHistory -csv -case ".(gate ? "study/gate" : ".")." ".what
 sticking(what) = "< pfemHistory -csv -case ".(noSlip ? "study/noSlip" : ".")." ".what
 
 #-- front and residual height
@@ -24,6 +26,7 @@ set key top left Left reverse samplen 3
 plot "reference/front_position_H300.csv" using 1:2 skip 2 with points pt 6 ps 0.7 lc rgb "#cc3311" title "front x/H, Lobovsky et al. 2014", \
      history("front front.dat") using (star($1)):(($2-0.6)/H) with lines lw 2.5 lc rgb "black" title "front, this run", \
      (noSlip ? sticking("front front.dat") : "/dev/null") using (star($1)):(($2-0.6)/H) with lines lw 1.5 dt 2 lc rgb "black" title (noSlip ? "front, no-slip walls" : ""), \
+     (gate ? lifted("front front.dat") : "/dev/null") using ($1*unit):(($2-0.6)/H) with lines lw 1.8 lc rgb "#228833" title (gate ? "front, behind a gate" : ""), \
      history("residual elevation") using (star($1)):($2/H) with lines lw 2 lc rgb "#4477aa" title "height at the wall behind, h/H, this run"
 
 #-- pressure at the four sensors
@@ -42,6 +45,7 @@ do for [k=1:4] {
     plot "reference/pressure_sensor".file[k].".csv" using 1:3:4 skip 2 with filledcurves lc rgb "#f2cfc9" notitle, \
          "" using 1:2 skip 2 with lines lw 1.2 lc rgb "#cc3311" title "Lobovsky et al. 2014", \
          (noSlip ? sticking("sensors pFiltered") : "/dev/null") using (star($1)):(column(k+1)/pUnit) with lines lw 1 lc rgb "#66ccee" title (noSlip ? "no-slip walls" : ""), \
+         (gate ? lifted("sensors pFiltered") : "/dev/null") using ($1*unit):(column(k+1)/pUnit) with lines lw 1.3 lc rgb "#228833" title (gate ? "behind a gate" : ""), \
          history("sensors pFiltered") using (star($1)):(column(k+1)/pUnit) with lines lw 1.6 lc rgb "black" title "this run"
 }
 unset multiplot
