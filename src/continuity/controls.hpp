@@ -10,6 +10,7 @@ namespace pfem {
 /// Sub-dictionary `continuity`.
 struct ContinuityControls {
     double schurScale = 0.3;
+    double viscousScale = 1;
     double complianceScale = 1;
     double freeSurfaceScale = 2;
     double freeSurfaceWeight = 1;
@@ -22,6 +23,8 @@ struct ContinuityControls {
     template <class Visitor>
     void entries(Visitor& v) {
         v("schurScale", schurScale, "-", "factor of the Schur term gamma dt/rho L in the pressure matrix", nonNegative);
+        v("viscousScale", viscousScale, "-",
+          "factor of mu div v in the change of pressure, where viscosity is in the momentum matrix (viscousLimit)", nonNegative);
         v("complianceScale", complianceScale, "-",
           "factor of the elastic interface's compliance B A_s^-1 B^T in the pressure matrix", nonNegative);
         v("freeSurfaceScale", freeSurfaceScale, "-",

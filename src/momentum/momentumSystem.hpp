@@ -32,6 +32,9 @@ public:
     /// Largest ratio of viscous forces to inertia, 2 mu dt/(rho h^2).
     double viscousNumber() const { return viscousNumber_; }
 
+    /// Is the viscosity in the matrix, not only in the residual?
+    bool isViscous() const { return viscous_; }
+
     int linearIterations() const { return iterations_; }  // of the last solve
     const SolidDofs<Dim>& solidDofs() const { return dofs_; }
     const SymmetricMatrix& solidMatrix() const { return solid_; }

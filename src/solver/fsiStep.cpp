@@ -9,6 +9,7 @@
 #include "continuity/continuitySystem.hpp"
 #include "continuity/residual.hpp"
 #include "continuity/stabilisation.hpp"
+#include "continuity/viscousPressure.hpp"
 #include "momentum/fluidStress.hpp"
 #include "momentum/momentumSystem.hpp"
 #include "momentum/residual.hpp"
@@ -191,6 +192,7 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
         }
         if (report.iterations == waiting) pressureIteration.restart();
         dp = continuity.solve(R_c);
+        if (momentum.isViscous()) addViscousPressure<Dim>(fluid, cellMu, controls.continuity.viscousScale, R_c, dp);
         trial.p = pressureIteration.next(trial.p, dp);
 
         converged = convergence.reached(rms<Dim>(dv), rms<Dim>(trial.v), rms(dp), rms(trial.p)) &&

@@ -63,4 +63,25 @@ INSTANTIATE_TEST_SUITE_P(
                     Change{"freeSurfaceScale", [](Controls& c) { c.continuity.freeSurfaceScale *= 2; }}),
     [](const auto& test) { return std::string(test.param.name); });
 
+// A column of honey: viscous forces a hundred times those of inertia, on a grid of 50 mm.
+TEST(ViscousPressure, takesFewerIterationsToTheSameStep) {
+    TestCase c = makeCase("meshSize 0.05; bodies ( honey { type fluid; material honey; " + rectangle(0, 0, 0.4, 0.4) +
+                              " } ); walls ( tank { points ((0 1) (0 0) (1 0) (1 1)); } );",
+                          "honey { type newtonian; rho 1000; mu 2000; }", "tank { type noSlip; }");
+    c.controls.convergence.maxIterations = 200;
+    c.start(1e-3);
+    for (int n = 0; n < 5; ++n) c.step(5e-3);
+    c.tolerance(1e-8);
+    const auto topology = c.topology();
+    const auto step = [&](double scale) {
+        c.controls.continuity.viscousScale = scale;
+        return fsiStep<2>(c.problem, c.controls, c.state.mesh, topology, c.constraints(topology), c.state.nodes, 5e-3, 0);
+    };
+    const auto with = step(1), without = step(0);
+    EXPECT_LT(with.report.iterations, 0.8 * without.report.iterations);
+    std::cout << "iterations " << without.report.iterations << " -> " << with.report.iterations << "\n";
+    for (int i = 0; i < c.state.nodes.size(); ++i)
+        EXPECT_NEAR(with.nodes.p[i], without.nodes.p[i], 1e-6 * largest(with.nodes.p));
+}
+
 }  // namespace
