@@ -76,14 +76,15 @@ struct PressureColumn {
     std::vector<int> node;
     std::vector<double> K;       // laplacian and compressibility
     std::vector<Vec<Dim>> B;     // Omega_I G_IJ
+    std::vector<int> at;         // per node of the mesh: its index in `node`, of the present column
 
     void begin(int i, const NodeToNodes& ring) {
         node.assign(ring.node.begin() + ring.start[i], ring.node.begin() + ring.start[i + 1]);
         node.insert(std::lower_bound(node.begin(), node.end(), i), i);
+        for (std::size_t k = 0; k < node.size(); ++k) at[node[k]] = static_cast<int>(k);
         K.assign(node.size(), 0.0);
         B.assign(node.size(), Vec<Dim>::Zero());
     }
-    std::size_t at(int other) const { return std::find(node.begin(), node.end(), other) - node.begin(); }
 };
 
 /// Rows and values of one pressure column, written from slot `s` on: diagonal, pressures, solids, surface.
@@ -116,6 +117,7 @@ void addCells(SymmetricMatrix& A, const Problem<Dim>& problem, const ContinuityC
 #pragma omp parallel if (cells.size() > shortLoop)
     {
         PressureColumn<Dim> column;
+        column.at.resize(topology.nNodes());
 #pragma omp for schedule(static)
         for (int i = 0; i < topology.nNodes(); ++i) {
             if (u.pressure[i] < 0) continue;
@@ -127,7 +129,7 @@ void addCells(SymmetricMatrix& A, const Problem<Dim>& problem, const ContinuityC
                 const double laplacian = tau[e] + controls.schurScale / (fluid.rho * newmark.massFactor());
                 const double share = g.measure / (Dim + 1);
                 for (int l = 0; l <= Dim; ++l) {
-                    const std::size_t at = column.at(cells.nodes[e][l]);
+                    const int at = column.at[cells.nodes[e][l]];
                     column.K[at] += laplacian * g.measure * g.gradN[k].dot(g.gradN[l]);
                     if (l == k) column.K[at] += share / (fluid.kappa * newmark.dt);
                     column.B[at] += share * g.gradN[l];

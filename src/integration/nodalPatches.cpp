@@ -88,14 +88,20 @@ void addInternalForce(const Patches<Dim>& patches, const std::vector<Tensor<Dim>
 template <int Dim>
 void addPressureForce(const Patches<Dim>& patches, const std::vector<double>& p, Points<Dim>& force) {
     const NodeToCells& around = *patches.around;
-#pragma omp parallel for schedule(static) if (patches.nCells() > shortLoop)
-    for (int i = 0; i < patches.nNodes(); ++i)
-        for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
-            const int e = around.cell[s];
-            double mean = 0;
-            for (int node : patches.cell(e)) mean += p[node];
-            force[i] -= patches.element[e].measure * mean / (Dim + 1) * patches.element[e].gradN[around.corner[s]];
+    std::vector<double> whole(patches.nCells());  // |e| times the mean pressure
+#pragma omp parallel if (patches.nCells() > shortLoop)
+    {
+#pragma omp for schedule(static)
+        for (int e = 0; e < patches.nCells(); ++e) {
+            double sum = 0;
+            for (int node : patches.cell(e)) sum += p[node];
+            whole[e] = patches.element[e].measure * sum / (Dim + 1);
         }
+#pragma omp for schedule(static)
+        for (int i = 0; i < patches.nNodes(); ++i)
+            for (int s = around.start[i]; s < around.start[i + 1]; ++s)
+                force[i] -= whole[around.cell[s]] * patches.element[around.cell[s]].gradN[around.corner[s]];
+    }
 }
 
 #define PFEM_INSTANTIATE(D)                                                                                  \

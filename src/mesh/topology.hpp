@@ -86,4 +86,9 @@ int commonWall(const Topology<Dim>& topology, const std::vector<int>& wall, cons
 template <int Dim>
 Topology<Dim> makeTopology(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const std::vector<int>& wall);
 
+/// The same mesh after nodes have landed on walls or left them.
+template <int Dim>
+Topology<Dim> withWalls(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const std::vector<int>& wall,
+                        Topology<Dim> topology);
+
 }  // namespace pfem

@@ -62,13 +62,12 @@ bool isContact(const RemeshingControls& c, const CandidateNodes& nodes, const Si
 class Selector {
 public:
     Selector(const RemeshingControls& controls, const Triangulation<2>& triangulation, const CandidateNodes& nodes,
-             const MovedMesh<2>& moved)
+             const MovedMesh<2>& moved, const MovedPlaces& places)
         : controls_(controls),
           t_(triangulation),
           nodes_(nodes),
           moved_(moved),
-          fluid_(moved.x, moved.fluid),
-          solid_(moved.x, moved.solid),
+          places_(places),
           inside_(t_.cells.size(), 0),
           accepted_(t_.cells.size(), 0) {}
 
@@ -100,7 +99,7 @@ private:
             accepted_[e] = 1;
             return;
         }
-        if (allHeld || isBehindWall(s, centre) || solid_.contains(centre)) return;
+        if (allHeld || isBehindWall(s, centre) || places_.solid.contains(centre)) return;
         accepted_[e] = isContact(controls_, nodes_, s);
     }
 
@@ -113,7 +112,7 @@ private:
             for (int slot = around.start[old]; slot < around.start[old + 1]; ++slot)
                 if (holds<2>(moved_.x, moved_.fluid[around.cell[slot]], centre)) return true;
         }
-        return fluid_.contains(centre);
+        return places_.fluid.contains(centre);
     }
 
     /// Three nodes of one wall face are on one line up to round-off: what is between them is no fluid.
@@ -222,8 +221,7 @@ private:
     const Triangulation<2>& t_;
     const CandidateNodes& nodes_;
     const MovedMesh<2>& moved_;
-    Locator<2> fluid_;
-    Locator<2> solid_;
+    const MovedPlaces& places_;
     std::vector<unsigned char> inside_;
     std::vector<unsigned char> accepted_;
     std::vector<int> cells_;  // accepted cells per node
@@ -233,8 +231,8 @@ private:
 }  // namespace
 
 Connectivity selectFluid(const RemeshingControls& controls, const Triangulation<2>& triangulation,
-                         const CandidateNodes& nodes, const MovedMesh<2>& moved) {
-    return Selector(controls, triangulation, nodes, moved).select();
+                         const CandidateNodes& nodes, const MovedMesh<2>& moved, const MovedPlaces& places) {
+    return Selector(controls, triangulation, nodes, moved, places).select();
 }
 
 }  // namespace pfem

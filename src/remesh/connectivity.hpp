@@ -27,11 +27,18 @@ struct Connectivity {
     std::vector<double> gained;  // contact - stretched - released per node, a third of each triangle
 };
 
+/// Which cells of the moved old mesh, which must outlive it, hold a point.
+struct MovedPlaces {
+    Locator<2> fluid, solid;
+
+    explicit MovedPlaces(const MovedMesh<2>& moved) : fluid(moved.x, moved.fluid), solid(moved.x, moved.solid) {}
+};
+
 /// Inside the moved old mesh everything is fluid; from its boundary, triangles with a circumradius above
 /// alphaInside alpha h, slivers and collapsing triangles with a node of their own are peeled off, and a solid's node carried by one triangle is released when the
 /// fluid has come nearer to the other solid node. Outside, a triangle is a new contact and must be small, close
 /// and closing.
 Connectivity selectFluid(const RemeshingControls& controls, const Triangulation<2>& triangulation,
-                         const CandidateNodes& nodes, const MovedMesh<2>& moved);
+                         const CandidateNodes& nodes, const MovedMesh<2>& moved, const MovedPlaces& places);
 
 }  // namespace pfem

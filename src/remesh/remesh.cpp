@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
+#include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
 #include "mesh/standing.hpp"
 #include "remesh/connectivity.hpp"
@@ -182,10 +184,20 @@ RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKi
     const int material = state.mesh.fluid.material.empty() ? 0 : state.mesh.fluid.material[0];
     const auto newIndex = carryOut<Dim>(plan, moved, state);
 
-    const auto triangulation = constrainedDelaunay(
-        state.nodes.x, activeNodes(state, kinds), fixedFaces<Dim>(state, kinds), surfaceFaces<Dim>(controls, plan, newIndex));
-    const auto selected =
-        selectFluid(controls, triangulation, candidateNodes(state, moved, newIndex, dt), moved);
+    Triangulation<2> triangulation;
+    CandidateNodes candidates;
+    std::optional<MovedPlaces> places;
+    together(
+        state.nodes.size(),
+        [&] {
+            triangulation = constrainedDelaunay(state.nodes.x, activeNodes(state, kinds), fixedFaces<Dim>(state, kinds),
+                                                surfaceFaces<Dim>(controls, plan, newIndex));
+        },
+        [&] {
+            candidates = candidateNodes(state, moved, newIndex, dt);
+            places.emplace(moved);
+        });
+    const auto selected = selectFluid(controls, triangulation, candidates, moved, *places);
     state.mesh.fluid.nodes = selected.fluid;
     state.mesh.fluid.material.assign(selected.fluid.size(), material);
 

@@ -62,7 +62,8 @@ Topology<Dim> beginStep(const Problem<Dim>& problem, double dt, State<Dim>& stat
         const auto next = constraintsOver<Dim>(0, dt, problem, state, topology);
         Points<Dim> v = state.nodes.v;
         for (int i = 0; i < state.nodes.size(); ++i) v[i] = next.velocity(i, state.nodes.x[i], v[i]);
-        if (leaveFeet(topology, v, state)) topology = makeTopology<Dim>(state.mesh, kinds, state.nodes.wall);
+        if (leaveFeet(topology, v, state))
+            topology = withWalls<Dim>(state.mesh, kinds, state.nodes.wall, std::move(topology));
     }
     obeyConstraints<Dim>(constraintsOver<Dim>(0, 0, problem, state, topology), state.nodes);
     return topology;
@@ -121,7 +122,7 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, c
             report.mesh = remesh<Dim>(controls.remeshing, kinds,
                                       wallsOld == state.nodes.wall
                                           ? topology
-                                          : makeTopology<Dim>(state.mesh, kinds, state.nodes.wall),
+                                          : withWalls<Dim>(state.mesh, kinds, state.nodes.wall, topology),
                                       report.dt, state);
     } catch (const StepFailure& failure) {  // the new mesh is unfinished
         throw FailedStep<Dim>(failure, withNodesOf<Dim>(last, state.nodes));
