@@ -137,6 +137,26 @@ TEST(Table, ColumnsOfOpenFoam) {
               "          0.1             (1 2.5 0)\n");
 }
 
+TEST(Table, GoesOnUnderItsNameWhenTheFileIsRemovedOrReplaced) {
+    const TemporaryFolder folder;
+    const fs::path root = folder.path() / "case", file = root / "postProcessing/mass/0/volume";
+    fs::create_directory(root);
+    Table table(file, 6);
+    table.header({"Time", "volume"});
+    const std::string head = readText(file);
+    table.line("0 1");
+    fs::remove_all(root / "postProcessing");
+    table.line("1 1");
+    EXPECT_EQ(readText(file), head + "1 1\n");
+    fs::copy_file(file, root / "edited");
+    fs::rename(root / "edited", file);
+    table.line("2 1");
+    EXPECT_EQ(readText(file), head + "1 1\n2 1\n");
+    fs::remove_all(root);
+    EXPECT_THROW(table.line("3 1"), UserError);
+    EXPECT_FALSE(fs::exists(root)) << "a case that has been deleted is made anew";
+}
+
 /// A table of `columns` columns with rows at these times, begun at `start`.
 void writeRows(const fs::path& folder, const std::string& start, std::optional<double> resumeAt,
                const std::vector<double>& times, int columns = 1, int precision = 6) {
