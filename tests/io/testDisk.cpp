@@ -83,6 +83,14 @@ TEST(FullDisk, TableReportsIt) {
     EXPECT_THROW(table.row({"1", "2"}), UserError);
 }
 
+TEST(StagedFolder, KeepsAFileThatHasItsName) {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "0.1") << "mine";
+    writeState(folder.path() / "0.1", sampleState());
+    EXPECT_TRUE(fs::is_directory(folder.path() / "0.1"));
+    EXPECT_EQ(readText(folder.path() / "0.1.old"), "mine");
+}
+
 TEST(NotWritable, NamesTheFolder) {
     try {
         writeState("/proc/pfem/1", sampleState());
