@@ -62,7 +62,7 @@ int run(const Options& options) {
     if (state.time.index == 0) recorder.start(controls, state, clock.deltaT(state.time));
     functions.start(state);
 
-    if (!clock.running(state.time))
+    if (!clock.running(state.time) && clock.controls().endTime <= state.time.value)
         std::cerr << "--> PFEM Warning: nothing to do: endTime is not after the start at " << state.time.value << " s\n";
     std::cout << "Starting time loop\n\n" << std::flush;
     RunSummary summary;

@@ -42,6 +42,12 @@ bool isNamed(int descriptor, const std::filesystem::path& file) {
            opened.st_dev == named.st_dev;
 }
 
+[[noreturn]] void held(const std::filesystem::path& file, const std::string& by) {
+    throw UserError("Another program is writing this case: " + (by.empty() ? "its .pfemLock was removed" : by) +
+                        ".\nWait for it, stop it, or copy the case: two runs in one folder would mix their times",
+                    {file.string(), 0});
+}
+
 }  // namespace
 
 RunLock::RunLock(const std::filesystem::path& root, const std::string& program) : file_(root / ".pfemLock") {
@@ -51,28 +57,36 @@ RunLock::RunLock(const std::filesystem::path& root, const std::string& program) 
             throw UserError("cannot write in the case folder \"" + root.string() + "\": " + std::strerror(errno),
                             {file_.string(), 0});
         if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
-            const bool held = errno == EWOULDBLOCK;
+            const bool busy = errno == EWOULDBLOCK;
             const std::string reason = std::strerror(errno), by = contentOf(descriptor_);
             close(descriptor_);
-            if (!held) throw UserError("cannot lock the case: " + reason, {file_.string(), 0});
-            throw UserError("Another program is writing this case: " + by +
-                                ".\nWait for it, stop it, or copy the case: two runs in one folder would mix their times",
-                            {file_.string(), 0});
+            if (!busy) throw UserError("cannot lock the case: " + reason, {file_.string(), 0});
+            held(file_, by);
         }
         if (isNamed(descriptor_, file_)) break;
         close(descriptor_);
+    }
+    folder_ = open(root.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folder_ >= 0 && flock(folder_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+        const std::string by = contentOf(descriptor_);
+        if (by.empty()) unlink(file_.c_str());  // made just now: the other run's was removed
+        close(folder_);
+        close(descriptor_);
+        held(file_, by);
     }
     abandoned_ = contentOf(descriptor_);
     const std::string text = holder(program) + "\n";
     if (ftruncate(descriptor_, 0) != 0 || pwrite(descriptor_, text.data(), text.size(), 0) < 0) {
         const std::string reason = std::strerror(errno);
+        if (folder_ >= 0) close(folder_);
         close(descriptor_);
         throw UserError("cannot write \"" + file_.string() + "\": " + reason, {file_.string(), 0});
     }
 }
 
 RunLock::~RunLock() {
-    unlink(file_.c_str());  // before the lock goes: whoever opens it in between finds that it has lost its name
+    if (folder_ >= 0) close(folder_);  // first: nobody who makes a new file then finds it held
+    if (isNamed(descriptor_, file_)) unlink(file_.c_str());  // before the lock goes: who opens it now finds its name gone
     close(descriptor_);
 }
 

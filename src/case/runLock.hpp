@@ -7,7 +7,8 @@
 namespace pfem {
 
 /// Holds <root>/.pfemLock while it lives. The lock itself is the kernel's (flock), so that it ends with the process
-/// however that ends; the file says who holds it. A file that a dead process has left is taken over.
+/// however that ends; the file says who holds it. A file that a dead process has left is taken over. The case folder is
+/// locked too, where its file system can, so that removing the file does not let a second run in.
 class RunLock {
 public:
     /// Throws UserError when a living process holds the lock, or the folder cannot be written.
@@ -21,7 +22,7 @@ public:
 
 private:
     std::filesystem::path file_;
-    int descriptor_ = -1;
+    int descriptor_ = -1, folder_ = -1;
     std::string abandoned_;
 };
 

@@ -11,11 +11,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What is missing in a time folder, or "".
+/// What is missing in a time folder or cannot be reached, or "".
 std::string incomplete(const fs::path& folder) {
-    std::error_code ignored;
-    for (const char* file : {"uniform/time", "fluid.vtu", "solid.vtu", "boundary.vtu"})
-        if (!fs::is_regular_file(folder / file, ignored)) return std::string(file) + " is missing";
+    for (const char* file : {"uniform/time", "fluid.vtu", "solid.vtu", "boundary.vtu"}) {
+        std::error_code error;
+        if (fs::is_regular_file(folder / file, error)) continue;
+        return std::string(file) + (error == std::errc::permission_denied ? " may not be read" : " is missing");
+    }
     return "";
 }
 

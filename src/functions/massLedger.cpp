@@ -103,7 +103,8 @@ void MassLedger<Dim>::execute(const State<Dim>& state) {
 /// A cause that appears late brings a column for all rows.
 template <int Dim>
 void MassLedger<Dim>::beginTable() {
-    const auto rows = rowsUntil_ ? rowsOf(readTable(file_, *rowsUntil_)) : std::vector<Row>{};
+    const bool there = rowsUntil_ && std::filesystem::exists(file_);  // somebody may have removed it meanwhile
+    const auto rows = there ? rowsOf(readTable(file_, *rowsUntil_)) : std::vector<Row>{};
     const auto titles = massTitles(causes_);
     std::vector<std::vector<std::string>> columns;
     for (const auto& row : rows) {

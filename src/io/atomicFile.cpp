@@ -115,6 +115,8 @@ void StagedFolder::commit() {
     try {
         for (const auto& entry : fs::recursive_directory_iterator(staging_)) flushToDisk(entry.path());
         flushToDisk(staging_);
+        if (fs::exists(target_) && !fs::is_directory(target_))
+            fs::rename(target_, target_.string() + ".old");  // somebody's own file is not ours to remove
         if (fs::exists(target_)) {
             exchange(staging_, target_);
             fs::remove_all(staging_);

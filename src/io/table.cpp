@@ -1,10 +1,12 @@
 #include "io/table.hpp"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <iostream>
 
 #include "base/error.hpp"
 #include "io/atomicFile.hpp"
@@ -27,6 +29,15 @@ std::string joined(const std::vector<std::string>& lines) {
     return text;
 }
 
+/// Device and number of the file that has this name; zeros when there is none.
+std::pair<std::uint64_t, std::uint64_t> identityOf(const std::filesystem::path& file) {
+    struct stat status {};
+    if (stat(file.c_str(), &status) != 0) return {};
+    return {status.st_dev, status.st_ino};
+}
+
+constexpr int ownFolders = 3;  // postProcessing/<function>/<startTime>: more than these are never made
+
 }  // namespace
 
 Table::Table(const std::filesystem::path& file, int precision, std::optional<double> resumeAt)
@@ -36,7 +47,12 @@ Table::Table(const std::filesystem::path& file, int precision, std::optional<dou
 
 void Table::makeFolder() const {
     std::error_code error;
-    if (file_.has_parent_path()) std::filesystem::create_directories(file_.parent_path(), error);
+    std::filesystem::path base = file_.parent_path();
+    for (int n = 0; n < ownFolders; ++n) base = base.parent_path();
+    if (!base.empty() && !std::filesystem::exists(base, error))
+        error = std::make_error_code(std::errc::no_such_file_or_directory);  // a case that has been deleted is not made anew
+    else if (file_.has_parent_path())
+        std::filesystem::create_directories(file_.parent_path(), error);
     if (error)
         throw UserError("cannot make the folder \"" + file_.parent_path().string() + "\": " + error.message(),
                         {file_.string(), 0});
@@ -54,12 +70,31 @@ void Table::begin() {
     }
     makeFolder();
     if (resumeAt_) writeAtomically(file_, text);
-    errno = 0;
-    stream_.open(file_, resumeAt_ ? std::ios::app : std::ios::trunc);
+    open(resumeAt_ ? std::ios::app : std::ios::trunc);
     resumeAt_.reset();
+}
+
+void Table::open(std::ios::openmode mode) {
+    errno = 0;
+    stream_.close();
+    stream_.clear();
+    stream_.open(file_, mode);
     if (!stream_)
         throw UserError("cannot write \"" + file_.string() + "\": " + std::strerror(errno),
                         {file_.string(), 0});
+    identity_ = identityOf(file_);
+}
+
+/// Open the file of this name again when it is another one now (saved by an editor, copied back) or is gone.
+void Table::followName() {
+    const auto now = identityOf(file_);
+    if (now == identity_) return;
+    const bool gone = now == decltype(now){};
+    std::cerr << "--> PFEM Warning : \"" << file_.string() << "\" was " << (gone ? "removed" : "replaced")
+              << " while the run writes it: it is " << (gone ? "begun again" : "continued") << " from here on\n";
+    if (gone) makeFolder();
+    open(std::ios::app);
+    if (gone) stream_ << joined(head_);
 }
 
 void Table::line(const std::string& text) {
@@ -67,6 +102,7 @@ void Table::line(const std::string& text) {
     if (comment) head_.push_back(text);
     if (resumeAt_ && comment) return;
     if (resumeAt_) begin();
+    followName();
     errno = 0;
     stream_ << text << std::endl;
     if (!stream_)
@@ -104,7 +140,7 @@ void Table::replaceRows(const std::vector<std::vector<std::string>>& rows) {
     stream_.close();
     writeAtomically(file_, text);
     resumeAt_.reset();
-    stream_.open(file_, std::ios::app);
+    open(std::ios::app);
 }
 
 std::string Table::number(double value) const {

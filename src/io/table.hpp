@@ -1,10 +1,12 @@
 #pragma once
 // Text tables of postProcessing/: OpenFOAM's columns, each row on the disk as soon as it is written.
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pfem {
@@ -15,6 +17,9 @@ namespace pfem {
 /// continued when its columns are the same: its rows up to that time stay, later ones (of a run that was killed) go,
 /// so that the file becomes that of a run that was never stopped. Otherwise `file` is begun. Which one it is shows at the
 /// first row.
+///
+/// A file that somebody removes or replaces meanwhile is begun again, or continued, under its name: rows never go into a
+/// file that nobody can see.
 class Table {
 public:
     Table(const std::filesystem::path& file, int precision, std::optional<double> resumeAt = {});
@@ -44,11 +49,14 @@ public:
 
 private:
     void begin();
+    void open(std::ios::openmode mode);
     void makeFolder() const;
+    void followName();
     std::string rowText(const std::vector<std::string>& columns) const;
 
     std::filesystem::path file_;
     std::ofstream stream_;
+    std::pair<std::uint64_t, std::uint64_t> identity_{};  // device and number of the open file
     int precision_;
     std::optional<double> resumeAt_;  // until the first row
     std::vector<std::string> head_;   // the comments before the first row

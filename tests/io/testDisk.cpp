@@ -83,6 +83,14 @@ TEST(FullDisk, TableReportsIt) {
     EXPECT_THROW(table.row({"1", "2"}), UserError);
 }
 
+TEST(StagedFolder, KeepsAFileThatHasItsName) {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "0.1") << "mine";
+    writeState(folder.path() / "0.1", sampleState());
+    EXPECT_TRUE(fs::is_directory(folder.path() / "0.1"));
+    EXPECT_EQ(readText(folder.path() / "0.1.old"), "mine");
+}
+
 TEST(NotWritable, NamesTheFolder) {
     try {
         writeState("/proc/pfem/1", sampleState());
@@ -135,6 +143,26 @@ TEST(Table, ColumnsOfOpenFoam) {
               "#        Time\n"
               "    0.0087317       938.395     -0.219067       -1e+300\n"
               "          0.1             (1 2.5 0)\n");
+}
+
+TEST(Table, GoesOnUnderItsNameWhenTheFileIsRemovedOrReplaced) {
+    const TemporaryFolder folder;
+    const fs::path root = folder.path() / "case", file = root / "postProcessing/mass/0/volume";
+    fs::create_directory(root);
+    Table table(file, 6);
+    table.header({"Time", "volume"});
+    const std::string head = readText(file);
+    table.line("0 1");
+    fs::remove_all(root / "postProcessing");
+    table.line("1 1");
+    EXPECT_EQ(readText(file), head + "1 1\n");
+    fs::copy_file(file, root / "edited");
+    fs::rename(root / "edited", file);
+    table.line("2 1");
+    EXPECT_EQ(readText(file), head + "1 1\n2 1\n");
+    fs::remove_all(root);
+    EXPECT_THROW(table.line("3 1"), UserError);
+    EXPECT_FALSE(fs::exists(root)) << "a case that has been deleted is made anew";
 }
 
 /// A table of `columns` columns with rows at these times, begun at `start`.
