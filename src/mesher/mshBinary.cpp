@@ -2,6 +2,7 @@
 
 #include <array>
 #include <iterator>
+#include <map>
 
 #include "mesher/mshBytes.hpp"
 
@@ -18,17 +19,7 @@ std::string formatLine(const std::string& content) {
 }
 
 /// Nodes of an element of Gmsh's types; the text's reader says which of them a mesh of the plane may have.
-int nodesOf(int type) {
-    switch (type) {
-        case 15: return 1;
-        case 1: return 2;
-        case 2:
-        case 8: return 3;
-        case 3: return 4;
-        case 9: return 6;
-        default: return 0;
-    }
-}
+const std::map<int, std::size_t> nodesOf{{15, 1}, {1, 2}, {2, 3}, {8, 3}, {3, 4}, {9, 6}};
 
 class BinaryMsh {
 public:
@@ -38,9 +29,12 @@ public:
         bytes_.line();
         const std::string format = bytes_.line(), version = format.substr(0, 3);
         new_ = version == "4.1";
-        if (!new_ && version != "2.2") bytes_.fail(fmt::format("its format is {}: save it as 2.2 or 4.1", version));
-        if (format.substr(3, 4) != " 1 8") bytes_.fail("its numbers have not 8 bytes: save it as text (Mesh.Binary = 0)");
-        if (bytes_.take<std::int32_t>() != 1) bytes_.fail("its bytes are in the other order: save it as text (Mesh.Binary = 0)");
+        if (!new_ && version != "2.2")
+            bytes_.fail(fmt::format("its format is {}: save it as 2.2 or 4.1", version));
+        if (format.substr(3, 4) != " 1 8")
+            bytes_.fail("its numbers have not 8 bytes: save it as text (Mesh.Binary = 0)");
+        if (bytes_.take<std::int32_t>() != 1)
+            bytes_.fail("its bytes are in the other order: save it as text (Mesh.Binary = 0)");
         bytes_.expect("$EndMeshFormat");
         put("$MeshFormat\n{} 0 8\n$EndMeshFormat\n", version);
         while (!bytes_.atEnd()) section(bytes_.line());
@@ -50,14 +44,20 @@ public:
 private:
     void section(const std::string& head) {
         if (head.empty()) return;
-        if (head[0] != '$') bytes_.fail(fmt::format("a section like $Nodes expected before byte {}", bytes_.at()));
+        if (head[0] != '$')
+            bytes_.fail(fmt::format("a section like $Nodes expected before byte {}", bytes_.at()));
         const std::string name = head.substr(1), end = "$End" + name;
         put("{}\n", head);
-        if (name == "PhysicalNames") put("{}", bytes_.before(end));
-        else if (name == "Entities" && new_) entities();
-        else if (name == "Nodes") new_ ? nodes4() : nodes2();
-        else if (name == "Elements") new_ ? elements4() : elements2();
-        else bytes_.before(end);
+        if (name == "PhysicalNames")
+            put("{}", bytes_.before(end));
+        else if (name == "Entities" && new_)
+            entities();
+        else if (name == "Nodes")
+            new_ ? nodes4() : nodes2();
+        else if (name == "Elements")
+            new_ ? elements4() : elements2();
+        else
+            bytes_.before(end);
         bytes_.expect(end);
         put("{}\n", end);
     }
@@ -66,9 +66,9 @@ private:
         const auto counts = copyCounts();
         for (std::size_t dimension = 0; dimension < counts.size(); ++dimension)
             for (std::size_t k = 0; k < counts[dimension]; ++k) {
-                copy<std::int32_t>(1);                                            // its tag
-                copy<double>(dimension == 0 ? 3 : 6);                             // place or box
-                for (int list = 0; list < (dimension == 0 ? 1 : 2); ++list) {     // groups; boundary
+                copy<std::int32_t>(1);                                         // its tag
+                copy<double>(dimension == 0 ? 3 : 6);                          // place or box
+                for (int list = 0; list < (dimension == 0 ? 1 : 2); ++list) {  // groups; boundary
                     const std::size_t n = bytes_.takeCount();
                     put("{} ", n);
                     copy<std::int32_t>(n);
@@ -99,7 +99,8 @@ private:
 
     void elements2() {
         for (std::size_t left = copyCountLine(); left > 0;) {
-            const auto type = bytes_.take<std::int32_t>(), inBlock = bytes_.take<std::int32_t>(), tags = bytes_.take<std::int32_t>();
+            const auto type = bytes_.take<std::int32_t>(), inBlock = bytes_.take<std::int32_t>(),
+                       tags = bytes_.take<std::int32_t>();
             if (inBlock <= 0 || static_cast<std::size_t>(inBlock) > left || tags < 0)
                 bytes_.fail(fmt::format("$Elements is damaged at byte {}", bytes_.at()));
             for (int k = 0; k < inBlock; ++k) {
@@ -129,7 +130,8 @@ private:
     };
     /// The head of a block of 4.1: three numbers and how many things it has.
     Block copyBlock() {
-        const auto first = bytes_.take<std::int32_t>(), second = bytes_.take<std::int32_t>(), third = bytes_.take<std::int32_t>();
+        const auto first = bytes_.take<std::int32_t>(), second = bytes_.take<std::int32_t>(),
+                   third = bytes_.take<std::int32_t>();
         const Block block{first, second, third, bytes_.takeCount()};
         put("{} {} {} {}\n", first, second, third, block.size);
         return block;
@@ -147,9 +149,11 @@ private:
         return bytes_.countIn(line);
     }
     std::size_t nodes(int type) const {
-        const int n = nodesOf(type);
-        if (n == 0) bytes_.fail(fmt::format("Gmsh's element type {}: only lines (1) and triangles (2) are possible", type));
-        return static_cast<std::size_t>(n);
+        const auto found = nodesOf.find(type);
+        if (found == nodesOf.end())
+            bytes_.fail(
+                fmt::format("Gmsh's element type {}: only lines (1) and triangles (2) are possible", type));
+        return found->second;
     }
 
     template <class... Values>

@@ -31,7 +31,9 @@ public:
     }
     /// How many things follow; each of them has a byte or more, so that damage cannot ask for endless memory.
     std::size_t takeCount() { return checked(take<std::uint64_t>()); }
-    std::size_t countIn(const std::string& word) const { return checked(std::strtoull(word.c_str(), nullptr, 10)); }
+    std::size_t countIn(const std::string& word) const {
+        return checked(std::strtoull(word.c_str(), nullptr, 10));
+    }
 
     /// The rest of the line; steps over its end.
     std::string line() {
@@ -49,7 +51,8 @@ public:
     /// Steps over ends of lines and `mark`, which must be here.
     void expect(const std::string& mark) {
         at_ = std::min(content_.find_first_not_of("\r\n", at_), content_.size());
-        if (content_.compare(at_, mark.size(), mark) != 0) fail(fmt::format("{} expected at byte {}: its counts are wrong", mark, at_));
+        if (content_.compare(at_, mark.size(), mark) != 0)
+            fail(fmt::format("{} expected at byte {}: its counts are wrong", mark, at_));
         line();
     }
 
@@ -59,7 +62,8 @@ public:
 
 private:
     std::size_t checked(std::uint64_t count) const {
-        if (count > content_.size() - at_) fail(fmt::format("{} is no number of things, before byte {}", count, at_));
+        if (count > content_.size() - at_)
+            fail(fmt::format("{} is no number of things, before byte {}", count, at_));
         return count;
     }
     std::string until(std::size_t end) {
