@@ -1,6 +1,6 @@
 # cmake --install <build> --prefix <where>, find_package(pfem), cpack -G DEB
 #
-#   bin/                     programs, pfemHistory
+#   bin/                     programs, pfemHistory, pfemAnimate
 #   lib/libpfem.a            the library; lib/cmake/pfem: for find_package
 #   include/pfem/            its headers
 #   share/pfem/              etc/ (bashrc, completion), bin/tools, tutorials, doc, examples: the project's folder of a user
@@ -9,8 +9,9 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 install(TARGETS ${PFEM_PROGRAMS} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(PROGRAMS bin/pfemHistory bin/pfemAnimate DESTINATION ${CMAKE_INSTALL_BINDIR})
-foreach(program ${PFEM_PROGRAMS})
+list(TRANSFORM PFEM_SCRIPTS PREPEND bin/ OUTPUT_VARIABLE scripts)
+install(PROGRAMS ${scripts} DESTINATION ${CMAKE_INSTALL_BINDIR})
+foreach(program ${PFEM_PROGRAMS} ${PFEM_SCRIPTS})
   install(FILES ${PROJECT_BINARY_DIR}/man/${program}.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 endforeach()
 install(DIRECTORY etc bin tutorials doc examples DESTINATION ${CMAKE_INSTALL_DATADIR}/pfem USE_SOURCE_PERMISSIONS

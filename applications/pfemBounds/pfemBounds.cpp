@@ -157,6 +157,6 @@ int main(int argc, char* argv[]) {
     return runApplication(
         argc, argv,
         "Compute a case with nodal and with elemental integration: lower and upper curve of every probe, "
-        "their distance and, from two or more mesh sizes, the limit with its uncertainty",
+        "their distance and, from two or more mesh sizes, the limit with its uncertainty.",
         boundsOptions(), bounds);
 }

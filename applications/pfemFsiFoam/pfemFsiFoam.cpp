@@ -97,6 +97,6 @@ int run(const Options& options) {
 int main(int argc, char* argv[]) {
     return runApplication(argc, argv,
                           "Solve free-surface flow and elastic solids in one system (nodal PFEM), from the time "
-                          "folder that system/controlDict names",
+                          "folder that system/controlDict names.",
                           {}, run);
 }

@@ -14,6 +14,14 @@ WriteControl readWriteControl(const Dictionary& dict) {
     }
 }
 
+/// Of a function that is disabled or not asked for, no entry is reported as unused.
+void takeAsRead(const Dictionary& dict) {
+    for (const auto& key : dict.keys()) {
+        if (dict.isDict(key)) takeAsRead(dict.subDict(key));
+        else dict.reader(key);
+    }
+}
+
 }  // namespace
 
 template <int Dim>
@@ -27,8 +35,10 @@ FunctionObjects<Dim>::FunctionObjects(const Case& theCase, const Dictionary& dic
         if (name.empty() || name[0] == '.' || name.find_first_of("/\"\n") != std::string::npos)
             functions.fatal(name, "'" + name + "' in functions cannot be the name of a folder in postProcessing");
         const Dictionary& entry = functions.subDict(name);
-        if (!entry.get("enabled", true)) continue;
-        if (wanted && !wanted(entry)) continue;
+        if (!entry.get("enabled", true) || (wanted && !wanted(entry))) {
+            takeAsRead(entry);
+            continue;
+        }
         const FunctionContext<Dim> context{name, theCase.postProcessing(name, startName), theCase.root(),
                                            entry.get("writePrecision", precision), startName, resumeAt};
         functions_.push_back({name, readWriteControl(entry), makeFunction<Dim>(entry, context)});

@@ -12,7 +12,7 @@ namespace pfem {
 /// Throws UserError with file and, for .msh, line.
 ForeignMesh readMeshFile(const std::filesystem::path& file, const std::string& cellArray);
 
-/// Gmsh's ASCII format, versions 2.2 and 4.1: triangles and edges of the plane z = 0. The groups are the physical groups;
+/// Gmsh's versions 2.2 and 4.1, text or binary: triangles and edges of the plane z = 0. The groups are the physical groups;
 /// one without a name is called by its number.
 ForeignMesh readMsh(const std::filesystem::path& file);
 

@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <set>
 
 #include "mesher/meshFile.hpp"
+#include "mesher/mshBinary.hpp"
 #include "mesher/mshLines.hpp"
 
 namespace pfem {
@@ -13,7 +16,7 @@ namespace {
 
 class MshReader {
 public:
-    explicit MshReader(const std::filesystem::path& file) : lines_(file) { mesh_.file = file.string(); }
+    MshReader(MshLines lines, std::string file) : lines_(std::move(lines)) { mesh_.file = std::move(file); }
 
     ForeignMesh read() {
         std::set<std::string> seen;
@@ -175,7 +178,13 @@ private:
 }  // namespace
 
 ForeignMesh readMsh(const std::filesystem::path& file) {
-    return MshReader(file).read();
+    const std::string name = file.string();
+    std::ifstream stream(file, std::ios::binary);
+    std::string content(std::istreambuf_iterator<char>(stream), {});
+    if (!stream.is_open() || stream.bad()) throw UserError("cannot read file \"" + name + "\"", {name, 0});
+    const bool binary = isBinaryMsh(content);
+    if (binary) content = textOfBinaryMsh(content, name);
+    return MshReader(MshLines(std::move(content), name, !binary), name).read();
 }
 
 }  // namespace pfem

@@ -1,24 +1,25 @@
 #pragma once
-// A .msh file line by line, with the line's number in every error.
+// The text of a .msh file line by line, with the line's number in every error.
 
 #include <fmt/format.h>
 
 #include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
+#include <sstream>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/error.hpp"
 
 namespace pfem {
 
-/// The lines of a file as words, with their numbers.
+/// The lines of a text as words, with their numbers. Errors name the file, and the line where it is `numbered`
+/// (the text of a binary file has lines that nobody sees).
 class MshLines {
 public:
-    explicit MshLines(const std::filesystem::path& file) : name_(file.string()), stream_(file, std::ios::binary) {
-        if (!stream_) throw UserError("cannot read file \"" + name_ + "\"", {name_, 0});
-    }
+    MshLines(std::string text, std::string name, bool numbered)
+        : name_(std::move(name)), stream_(std::move(text)), numbered_(numbered) {}
 
     /// The next line that is not empty; false at the end of the file.
     bool next() {
@@ -39,7 +40,7 @@ public:
     std::string_view word(std::size_t i) const { return words_[i]; }
     std::size_t size() const { return words_.size(); }
     const std::string& text() const { return text_; }
-    int number() const { return number_; }
+    int number() const { return numbered_ ? number_ : 0; }
 
     double real(std::size_t i) const {
         const double value = parse<double>(i);
@@ -57,7 +58,7 @@ public:
         if (words_.size() < least) fail(fmt::format("{} numbers expected, {} found", least, words_.size()));
     }
     [[noreturn]] void fail(const std::string& message) const {
-        throw UserError("cannot take the mesh of \"" + name_ + "\": " + message, {name_, number_});
+        throw UserError("cannot take the mesh of \"" + name_ + "\": " + message, {name_, number()});
     }
 
 private:
@@ -80,7 +81,8 @@ private:
     }
 
     std::string name_, text_;
-    std::ifstream stream_;
+    std::istringstream stream_;
+    bool numbered_;
     std::vector<std::string_view> words_;
     int number_ = 0;
 };

@@ -14,7 +14,12 @@ constexpr Colour plainFluid{176, 209, 236};
 constexpr Colour plainSolid{236, 196, 148};
 constexpr Colour solidOutline{205, 85, 10};  // stands out from all colour maps and from white
 constexpr Colour wallColour{70, 70, 70};
-constexpr Colour meshColour{40, 40, 40};
+
+/// Lines of the mesh: light over dark colours.
+Colour meshColourOn(Colour fill) {
+    const bool dark = 0.3 * fill[0] + 0.6 * fill[1] + 0.1 * fill[2] < 90;
+    return dark ? Colour{165, 165, 165} : Colour{40, 40, 40};
+}
 
 bool has(Region region, Region place) {
     return region == Region::both || region == place;
@@ -43,8 +48,11 @@ public:
         }
         if (!style_.mesh) return;
         for (const auto& cell : cells.nodes)
-            for (std::size_t i = 0; i < 3; ++i)
-                canvas_.line(place(cell[i]), place(cell[(i + 1) % 3]), 0.4 * style_.pen, meshColour);
+            for (std::size_t i = 0; i < 3; ++i) {
+                const int a = cell[i], b = cell[(i + 1) % 3];
+                const Colour fill = coloured ? style_.colourOf(0.5 * (value(a) + value(b))) : plain;
+                canvas_.line(place(a), place(b), 0.4 * style_.pen, meshColourOn(fill));
+            }
     }
 
     void outline(const Cells<2>& cells) {
