@@ -67,7 +67,8 @@ def show(times, box, fluid=("magU", None), solid=("vonMises", None), case=".", p
         lines = globals()["pfemParticlePaths"](FileName=file, Ids=paths)
         display = simple.Show(lines, view)
         display.ColorArrayName = ["POINTS", ""]  # of one colour
-        display.AmbientColor = display.DiffuseColor = [0.2, 0.2, 0.2]
+        display.AmbientColor = display.DiffuseColor = [1, 0.8, 0]
+        display.LineWidth = 2
     if vtkProcessModule.GetProcessType() != vtkProcessModule.PROCESS_BATCH:
         simple.Render(view)
         return []
