@@ -65,7 +65,10 @@ def show(times, box, fluid=("magU", None), solid=("vonMises", None), case=".", p
             _part(joined, number, view, colouring, title)
     if paths:
         lines = globals()["pfemParticlePaths"](FileName=file, Ids=paths)
-        simple.ColorBy(simple.Show(lines, view), None)
+        display = simple.Show(lines, view)
+        display.ColorArrayName = ["POINTS", ""]  # of one colour
+        display.AmbientColor = display.DiffuseColor = [1, 0.8, 0]
+        display.LineWidth = 2
     if vtkProcessModule.GetProcessType() != vtkProcessModule.PROCESS_BATCH:
         simple.Render(view)
         return []

@@ -11,7 +11,7 @@ import pfem
 plt = pfem.pyplot()
 
 # %% first maximum of the tip's displacement: the parabola through the three highest values of each run
-for folder in sorted(pathlib.Path("study").iterdir()):
+for folder in sorted(f for f in pathlib.Path("study").iterdir() if f.is_dir()):
     case = pfem.Case(folder)
     tip = case.table("tip", "D")
     uy = tip.values[:, 0, 1]
