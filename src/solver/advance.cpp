@@ -62,8 +62,7 @@ Topology<Dim> beginStep(const Problem<Dim>& problem, double dt, State<Dim>& stat
         const auto next = constraintsOver<Dim>(0, dt, problem, state, topology);
         Points<Dim> v = state.nodes.v;
         for (int i = 0; i < state.nodes.size(); ++i) v[i] = next.velocity(i, state.nodes.x[i], v[i]);
-        if (leaveFeet(topology, v, state))
-            topology = withWalls<Dim>(state.mesh, kinds, state.nodes.wall, std::move(topology));
+        if (leaveFeet(topology, v, state)) topology = makeTopology<Dim>(state.mesh, kinds, state.nodes.wall);
     }
     obeyConstraints<Dim>(constraintsOver<Dim>(0, 0, problem, state, topology), state.nodes);
     return topology;
