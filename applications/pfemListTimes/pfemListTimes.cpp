@@ -2,10 +2,12 @@
 
 #include <filesystem>
 #include <iostream>
+#include <optional>
 
 #include "application/runApplication.hpp"
 #include "application/timeRanges.hpp"
 #include "base/error.hpp"
+#include "case/runLock.hpp"
 #include "case/timeFolders.hpp"
 #include "io/series.hpp"
 
@@ -18,6 +20,8 @@ int main(int argc, char** argv) {
     return runApplication(argc, argv, "List the written times, or remove them.", spec,
                           [](const Options& options) {
                               const Case theCase = options.openCase();
+                              std::optional<RunLock> lock;  // a run that goes on needs its times
+                              if (options.found("rm")) lock.emplace(theCase.root(), "pfemListTimes");
                               bool removed = false;
                               for (const auto& time : selectTimes(theCase, options)) {
                                   if (options.found("rm") && time.value == 0) continue;
