@@ -13,7 +13,8 @@ struct MatrixGraph {
 };
 
 /// Nested dissection: the unknowns of one half, those of the other, and last those of the first half that meet the
-/// other; each half in the same way again. Halves are taken across the longer side of the box around their places. Cheaper than minimum
+/// other; each half in the same way again. Of many, halves are taken
+/// across the axis that leaves the fewest between them, of few across that along which they spread most. Cheaper than minimum
 /// degree, with about its fill. Returns the unknowns in the order of elimination.
 template <int Dim>
 std::vector<int> nestedDissection(const MatrixGraph& graph, const std::vector<Eigen::Matrix<double, Dim, 1>>& place);
