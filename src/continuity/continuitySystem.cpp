@@ -204,30 +204,21 @@ std::vector<int> partsOfNodes(const NodeToNodes& ring, const Points<Dim>& x, con
     return best;
 }
 
-/// Where each unknown is, and its part: those of its node.
+/// Part of each unknown: that of its node.
 template <int Dim>
-struct Layout {
-    Points<Dim> where;
-    std::vector<int> part;
-};
-
-template <int Dim>
-Layout<Dim> layOut(const Topology<Dim>& topology, const Points<Dim>& x, const Unknowns& u, const SolidDofs<Dim>& dofs,
-                   int nParts) {
+std::vector<int> partsOfUnknowns(const Topology<Dim>& topology, const Points<Dim>& x, const Unknowns& u,
+                                 const SolidDofs<Dim>& dofs, int nParts) {
+    std::vector<int> result(u.n, 0);
+    if (nParts < 2) return result;
     std::vector<int> nodes;
     for (int i = 0; i < topology.nNodes(); ++i)
         if (u.pressure[i] >= 0 || nVelocities<Dim>(u, dofs, i) > 0) nodes.push_back(i);
-    const auto part = nParts > 1 ? partsOfNodes<Dim>(topology.ring, x, nodes, nParts) : std::vector<int>(x.size(), 0);
-    Layout<Dim> layout{Points<Dim>(u.n), std::vector<int>(u.n, 0)};
-    const auto put = [&](int unknown, int node) {
-        layout.where[unknown] = x[node];
-        layout.part[unknown] = part[node];
-    };
+    const auto part = partsOfNodes<Dim>(topology.ring, x, nodes, nParts);
     for (int node : nodes) {
-        if (u.pressure[node] >= 0) put(u.pressure[node], node);
-        forVelocities<Dim>(u, dofs, node, [&](int unknown, const Vec<Dim>&) { put(unknown, node); });
+        if (u.pressure[node] >= 0) result[u.pressure[node]] = part[node];
+        forVelocities<Dim>(u, dofs, node, [&](int unknown, const Vec<Dim>&) { result[unknown] = part[node]; });
     }
-    return layout;
+    return result;
 }
 
 /// As many as pay: each has an ordering and a factor of its own, and what lies between them grows.
@@ -258,8 +249,7 @@ ContinuitySystem<Dim>::ContinuitySystem(const Problem<Dim>& problem, const Conti
     if (!strong) addFreeSurface<Dim>(A, problem, controls, cells, topology, patches, tau, x, u, newmark);
 
     const int parts = nParts(u.n);
-    const auto layout = layOut<Dim>(topology, x, u, dofs, parts);
-    factor_.factorize<Dim>(A, layout.where, layout.part, parts);
+    factor_.factorize(A, partsOfUnknowns<Dim>(topology, x, u, dofs, parts), parts);
 }
 
 template <int Dim>

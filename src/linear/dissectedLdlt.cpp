@@ -5,7 +5,6 @@
 #include <exception>
 
 #include "base/error.hpp"
-#include "linear/nestedDissection.hpp"
 
 namespace pfem {
 
@@ -142,9 +141,7 @@ SymmetricMatrix betweenMatrix(const SymmetricMatrix& A, const std::vector<int>& 
 
 }  // namespace
 
-template <int Dim>
-void DissectedLdlt::factorize(const SymmetricMatrix& A, const std::vector<Eigen::Matrix<double, Dim, 1>>& where,
-                              const std::vector<int>& part, int nParts) {
+void DissectedLdlt::factorize(const SymmetricMatrix& A, const std::vector<int>& part, int nParts) {
     shared_.clear();
     parts_.clear();
     parts_.resize(nParts);
@@ -163,12 +160,8 @@ void DissectedLdlt::factorize(const SymmetricMatrix& A, const std::vector<Eigen:
         Part& own = parts_[p];
         if (own.interior.empty()) return;
         std::vector<int> place = placeShared;
-        std::vector<Eigen::Matrix<double, Dim, 1>> inside;
-        for (std::size_t f = 0; f < own.interior.size(); ++f) {
-            place[own.interior[f]] = static_cast<int>(f);
-            inside.push_back(where[own.interior[f]]);
-        }
-        std::vector<int> order = nestedDissection<Dim>(interiorGraph(A, own.interior, place), inside);
+        for (std::size_t f = 0; f < own.interior.size(); ++f) place[own.interior[f]] = static_cast<int>(f);
+        std::vector<int> order = minimumDegree(interiorGraph(A, own.interior, place));
         for (int& f : order) f = own.interior[f];
         own.interior = std::move(order);
         for (std::size_t f = 0; f < own.interior.size(); ++f) place[own.interior[f]] = static_cast<int>(f);
@@ -239,12 +232,6 @@ std::vector<int> slabs(const std::vector<Eigen::Matrix<double, Dim, 1>>& place, 
         part[i] = static_cast<int>(std::upper_bound(cuts.begin(), cuts.end(), place[i][axis]) - cuts.begin());
     return part;
 }
-
-#define PFEM_INSTANTIATE(D)                                                                                        \
-    template void DissectedLdlt::factorize<D>(const SymmetricMatrix&, const std::vector<Eigen::Matrix<double, D, 1>>&, \
-                                              const std::vector<int>&, int);
-PFEM_INSTANTIATE(2)
-PFEM_INSTANTIATE(3)
 
 template std::vector<int> slabs<2>(const std::vector<Eigen::Matrix<double, 2, 1>>&, int, int);
 template std::vector<int> slabs<3>(const std::vector<Eigen::Matrix<double, 3, 1>>&, int, int);

@@ -11,11 +11,8 @@ namespace pfem {
 /// are factored and solved at the same time; the bits do not depend on the number of threads.
 class DissectedLdlt {
 public:
-    /// `where`: a place in space for each unknown, from which the order of elimination is taken; `part`: a number
-    /// 0 ... nParts-1 for each. Throws StepFailure when a pivot vanishes or is not finite.
-    template <int Dim>
-    void factorize(const SymmetricMatrix& A, const std::vector<Eigen::Matrix<double, Dim, 1>>& where,
-                   const std::vector<int>& part, int nParts);
+    /// `part`: a number 0 ... nParts-1 for each unknown. Throws StepFailure when a pivot vanishes or is not finite.
+    void factorize(const SymmetricMatrix& A, const std::vector<int>& part, int nParts);
 
     Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 

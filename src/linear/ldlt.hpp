@@ -43,4 +43,7 @@ private:
     std::unique_ptr<Cholmod> cholmod_;
 };
 
+/// The unknowns in an order of elimination with little fill (approximate minimum degree).
+std::vector<int> minimumDegree(const MatrixGraph& graph);
+
 }  // namespace pfem

@@ -19,6 +19,12 @@ struct SymmetricMatrix {
     Eigen::VectorXd multiply(const Eigen::VectorXd& x) const;
 };
 
+/// Which unknowns meet in an entry of a matrix: those of i are neighbour[start[i]] ... neighbour[start[i + 1] - 1].
+struct MatrixGraph {
+    std::vector<int> start;  // n + 1
+    std::vector<int> neighbour;
+};
+
 /// The lower triangle by rows, diagonal included, columns in any order.
 struct LowerRows {
     int n = 0;

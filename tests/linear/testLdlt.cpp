@@ -2,7 +2,6 @@
 
 #include "linear/dissectedLdlt.hpp"
 #include "linear/ldlt.hpp"
-#include "linear/nestedDissection.hpp"
 
 #include <gtest/gtest.h>
 
@@ -118,7 +117,7 @@ TEST(DissectedLdlt, anyPartsGiveTheSolution) {
         const auto part = slabs<2>(place, nParts, 1);
         for (int p = 0; p < nParts; ++p) EXPECT_NEAR(std::count(part.begin(), part.end(), p), 50.0 / nParts, 1);
         DissectedLdlt factor;
-        factor.factorize<2>(q.A, place, part, nParts);
+        factor.factorize(q.A, part, nParts);
         const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(50, -1, 2);
         EXPECT_LT((q.dense * factor.solve(b) - b).norm(), 1e-11) << nParts;
     }
@@ -131,7 +130,7 @@ TEST(DissectedLdlt, apartAndEmptyParts) {
     A.add(2, 3, -1);
     for (const auto& part : {std::vector<int>{0, 0, 1, 1}, {1, 1, 1, 1}, {0, 1, 0, 1}}) {
         DissectedLdlt factor;
-        factor.factorize<2>(A, std::vector<Eigen::Vector2d>(4, Eigen::Vector2d(1, 2)), part, 2);
+        factor.factorize(A, part, 2);
         const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(4, 1, 4);
         EXPECT_LT((A.multiply(factor.solve(b)) - b).norm(), 1e-13);
     }
@@ -156,19 +155,17 @@ int fill(const MatrixGraph& graph, const std::vector<int>& order) {
     return entries;
 }
 
-TEST(NestedDissection, littleFillOnASquare) {
+TEST(MinimumDegree, littleFillOnASquare) {
     const int m = 40;  // m x m places, neighbours along both axes and one diagonal: a mesh of triangles
     MatrixGraph graph;
-    std::vector<Eigen::Vector2d> place;
     graph.start.push_back(0);
     for (int i = 0; i < m * m; ++i) {
         const int x = i % m, y = i / m;
-        place.push_back({x, y});
         for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}})
             if (x + dx >= 0 && x + dx < m && y + dy >= 0 && y + dy < m) graph.neighbour.push_back(i + dx + m * dy);
         graph.start.push_back(static_cast<int>(graph.neighbour.size()));
     }
-    const auto order = nestedDissection<2>(graph, place);
+    const auto order = minimumDegree(graph);
     auto sorted = order;
     std::sort(sorted.begin(), sorted.end());
     for (int i = 0; i < m * m; ++i) ASSERT_EQ(sorted[i], i);  // each once
