@@ -88,7 +88,7 @@ StepFailure notConverged(const StepReport& report, const std::vector<double>& dp
 
 /// Root mean square of 2 mu |d| over the cells: a pressure that is small beside the viscous stress need not be exact.
 template <int Dim>
-double viscousScale(const Patches<Dim>& fluid, const std::vector<double>& mu, const Points<Dim>& v) {
+double viscousStressScale(const Patches<Dim>& fluid, const std::vector<double>& mu, const Points<Dim>& v) {
     double sum = 0;
     const auto L = elementGradient<Dim>(fluid, v);
     for (int e = 0; e < fluid.nCells(); ++e) sum += mu[e] * mu[e] * (L[e] + L[e].transpose()).squaredNorm();
@@ -142,7 +142,7 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
 
     Convergence convergence(controls.convergence, problem.gravity.norm() * dt,
                             pressureScale<Dim>(problem, mesh, old, 1e-14 / (dt * controls.convergence.tolP)) +
-                                viscousScale<Dim>(fluid, cellMu, old.v));
+                                viscousStressScale<Dim>(fluid, cellMu, old.v));
     StepReport report;
     std::vector<double> dp;
     SolidStress<Dim> stressOfSolid;

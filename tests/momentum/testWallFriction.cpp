@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "functions/storedEnergy.hpp"
 #include "momentum/wallFriction.hpp"
 #include "support/cases.hpp"
 
@@ -68,6 +69,11 @@ TEST(SideWalls, slowTheFlow) {
         }
     EXPECT_NEAR(mean / mass, 0, 1e-4 * u);
     EXPECT_LT(worst, 2e-3 * u);
+}
+
+TEST(SideWalls, whatTheyTakeIsDissipated) {
+    TestCase c = slidingWater(3, "floor { type slip; } glass { type sideWalls; width 0.1; friction 0.02; }");
+    EXPECT_NEAR(energyPowers<2>(c.problem, c.controls, c.state).viscous, rho * 0.2 * 0.02 * 27 / 0.1, 1e-9 * rho);  // rho V c_f u^3/b
 }
 
 TEST(SideWalls, badWords) {

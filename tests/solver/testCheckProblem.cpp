@@ -36,6 +36,33 @@ TEST(CheckProblem, conditionsFitTheirPatches) {
     EXPECT_EQ(refusedLine("slip", "slip", "traction", 7), 0);
 }
 
+/// A law of another project that gives its stress whole.
+class TotalLaw : public SolidLaw {
+public:
+    bool isTotal() const override { return true; }
+};
+
+TEST(CheckProblem, aTotalLawNeedsTheFormulationVelocity) {
+    TestCase c = makeCase(geometry, water + rubber, "tank { type slip; } lid { type slip; } base { type clamped; }");
+    for (auto& material : c.problem.materials)
+        if (material.kind == MaterialKind::solid) material.solid.law = std::make_shared<TotalLaw>();
+    const auto refused = [&](const std::string& formulation, const std::string& update) {
+        SolidControls controls;
+        controls.formulation = formulation;
+        controls.stressUpdate = update;
+        const auto dict = Dictionary::parse("solid\n{\nformulation " + formulation + ";\nstressUpdate " + update + ";\n}", "pfemSolution");
+        try {
+            checkLaws<2>(c.problem, controls, dict);
+        } catch (const UserError& error) {
+            return error.where().line;
+        }
+        return 0;
+    };
+    EXPECT_EQ(refused("velocity", "neoHookean"), 0);
+    EXPECT_EQ(refused("velocityPressure", "neoHookean"), 3);
+    EXPECT_EQ(refused("velocity", "rotatedMidpoint"), 4);
+}
+
 TEST(CheckProblem, aRigidWallIsSlipOrNoSlip) {
     for (const char* wrong : {"clamped", "symmetry", "traction"}) {
         EXPECT_EQ(refusedLine(wrong, "slip", "clamped"), 1) << wrong;
