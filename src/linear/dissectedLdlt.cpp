@@ -1,10 +1,11 @@
 #include "linear/dissectedLdlt.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <exception>
 
 #include "base/error.hpp"
+#include "linear/denseFront.hpp"
+#include "linear/ldlt.hpp"
 
 namespace pfem {
 
@@ -20,10 +21,6 @@ std::vector<unsigned char> sharedUnknowns(const SymmetricMatrix& A, const std::v
         }
     return shared;
 }
-
-/// What stands in for A_ll while a part is factored; subtracted again afterwards. Large enough that the part stays
-/// quasi-definite.
-double standIn(const SymmetricMatrix& A, int unknown) { return 3 * A.value[A.start[unknown]]; }
 
 /// Which interior unknowns of a part meet. `place` per unknown: its index in the part, negative for others.
 MatrixGraph interiorGraph(const SymmetricMatrix& A, const std::vector<int>& interior, const std::vector<int>& place) {
@@ -49,7 +46,7 @@ MatrixGraph interiorGraph(const SymmetricMatrix& A, const std::vector<int>& inte
     return graph;
 }
 
-/// [A_ff A_fl; A_lf D] of one part, D the stand-in; appends to `shared` the places it meets. `place` per unknown:
+/// [A_ff A_fl; A_lf 0] of one part; appends to `shared` the places it meets. `place` per unknown:
 /// its index in the part, or -2 - its place among the shared ones, or -1 for those of other parts.
 LowerRows partRows(const SymmetricMatrix& A, const std::vector<int>& interior, const std::vector<int>& place,
                    const std::vector<int>& sharedUnknown, std::vector<int>& shared) {
@@ -80,7 +77,7 @@ LowerRows partRows(const SymmetricMatrix& A, const std::vector<int>& interior, c
     forEntries([&](int row, int, double) { ++M.start[row + 1]; });
     M.n = n + static_cast<int>(shared.size());
     M.start.resize(M.n + 1);
-    for (int i = 0; i < M.n; ++i) M.start[i + 1] += M.start[i] + (i >= n);
+    for (int i = 0; i < M.n; ++i) M.start[i + 1] += M.start[i];
     M.column.resize(M.start[M.n]);
     M.value.resize(M.start[M.n]);
     std::vector<int> next(M.start.begin(), M.start.end() - 1);
@@ -89,8 +86,6 @@ LowerRows partRows(const SymmetricMatrix& A, const std::vector<int>& interior, c
         M.value[next[row]++] = value;
     };
     forEntries(put);
-    for (std::size_t k = 0; k < shared.size(); ++k)
-        put(n + static_cast<int>(k), n + static_cast<int>(k), standIn(A, sharedUnknown[shared[k]]));
     return M;
 }
 
@@ -110,35 +105,6 @@ void forAll(int n, const Work& work) {
         if (failure) std::rethrow_exception(failure);
 }
 
-/// Dense sum of the blocks as a matrix whose pattern is that of the blocks.
-SymmetricMatrix betweenMatrix(const SymmetricMatrix& A, const std::vector<int>& unknown, Eigen::MatrixXd sum,
-                              const std::vector<std::vector<int>>& cliques) {
-    const int n = static_cast<int>(unknown.size());
-    std::vector<int> place(A.n, -1);
-    for (int k = 0; k < n; ++k) place[unknown[k]] = k;
-    std::vector<std::vector<int>> lower(n);
-    for (const auto& clique : cliques)
-        for (int a : clique)
-            for (int b : clique)
-                if (a > b) lower[b].push_back(a);
-    for (int k = 0; k < n; ++k)
-        for (int s = A.start[unknown[k]]; s < A.start[unknown[k] + 1]; ++s) {
-            const int other = place[A.row[s]];
-            if (other < 0) continue;
-            const auto [low, high] = std::minmax(k, other);
-            sum(high, low) += A.value[s];
-            if (low != high) lower[low].push_back(high);
-        }
-    for (auto& rows : lower) {
-        std::sort(rows.begin(), rows.end());
-        rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-    }
-    SymmetricMatrix S = symmetricPattern(lower);
-    for (int j = 0; j < n; ++j)
-        for (int s = S.start[j]; s < S.start[j + 1]; ++s) S.value[s] = sum(S.row[s], j);
-    return S;
-}
-
 }  // namespace
 
 void DissectedLdlt::factorize(const SymmetricMatrix& A, const std::vector<int>& part, int nParts) {
@@ -155,7 +121,6 @@ void DissectedLdlt::factorize(const SymmetricMatrix& A, const std::vector<int>& 
             parts_[nParts > 1 ? part[i] : 0].interior.push_back(i);
         }
     }
-    std::vector<Eigen::MatrixXd> block(nParts);
     forAll(nParts, [&](int p) {
         Part& own = parts_[p];
         if (own.interior.empty()) return;
@@ -167,23 +132,27 @@ void DissectedLdlt::factorize(const SymmetricMatrix& A, const std::vector<int>& 
         for (std::size_t f = 0; f < own.interior.size(); ++f) place[own.interior[f]] = static_cast<int>(f);
         const LowerRows M = partRows(A, own.interior, place, shared_, own.shared);
         own.factor.factorize(M, static_cast<int>(own.shared.size()));
-        block[p] = own.factor.lastBlock();
-        for (std::size_t k = 0; k < own.shared.size(); ++k) block[p](k, k) -= standIn(A, shared_[own.shared[k]]);
     });
     if (shared_.empty()) return;
 
     const int n = static_cast<int>(shared_.size());
-    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(n, n);
-    std::vector<std::vector<int>> cliques;
-    for (int p = 0; p < nParts; ++p) {
-        const auto& own = parts_[p].shared;
-        for (std::size_t a = 0; a < own.size(); ++a)
-            for (std::size_t b = 0; b < own.size(); ++b) sum(own[a], own[b]) += block[p](a, b);
-        cliques.push_back(own);
+    std::vector<int> place(A.n, -1);
+    for (int k = 0; k < n; ++k) place[shared_[k]] = k;
+    between_ = Eigen::MatrixXd::Zero(n, n);
+    for (int k = 0; k < n; ++k)
+        for (int s = A.start[shared_[k]]; s < A.start[shared_[k] + 1]; ++s) {
+            const int other = place[A.row[s]];
+            if (other >= 0) between_(std::max(k, other), std::min(k, other)) += A.value[s];
+        }
+    for (const Part& each : parts_) {
+        const auto& block = each.factor.lastBlock();
+        const auto& own = each.shared;
+        for (std::size_t b = 0; b < own.size(); ++b)
+            for (std::size_t a = 0; a < own.size(); ++a)
+                if (own[a] >= own[b]) between_(own[a], own[b]) += block(a, b);
     }
-    const SymmetricMatrix S = betweenMatrix(A, shared_, std::move(sum), cliques);
-    between_.analyze(S);
-    between_.factorize(S);
+    if (!factorColumns(between_.data(), n, n))
+        throw StepFailure("matrix factorisation failed: a pivot vanishes or is not finite");
 }
 
 Eigen::VectorXd DissectedLdlt::solve(const Eigen::VectorXd& b) const {
@@ -201,7 +170,11 @@ Eigen::VectorXd DissectedLdlt::solve(const Eigen::VectorXd& b) const {
     for (int p = 0; p < nParts; ++p)
         for (std::size_t k = 0; k < parts_[p].shared.size(); ++k)
             shared[parts_[p].shared[k]] += own[p][parts_[p].interior.size() + k];
-    if (!shared_.empty()) shared = between_.solve(shared);
+    if (!shared_.empty()) {
+        between_.triangularView<Eigen::UnitLower>().solveInPlace(shared);
+        shared.array() /= between_.diagonal().array();
+        between_.transpose().triangularView<Eigen::UnitUpper>().solveInPlace(shared);
+    }
 
     Eigen::VectorXd x(b.size());
     for (std::size_t k = 0; k < shared_.size(); ++k) x[shared_[k]] = shared[k];

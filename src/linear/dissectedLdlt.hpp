@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "linear/ldlt.hpp"
+#include "linear/multifrontal.hpp"
 
 namespace pfem {
 
@@ -20,12 +20,12 @@ private:
     struct Part {
         std::vector<int> interior;  // unknowns of A, in the order of the factor
         std::vector<int> shared;    // indices into shared_ of the unknowns that follow them
-        Ldlt factor;
+        Multifrontal factor;
     };
 
     std::vector<int> shared_;  // unknowns of A between the parts
     std::vector<Part> parts_;
-    Ldlt between_;
+    Eigen::MatrixXd between_;  // D and L of the Schur complement
 };
 
 /// Part of each place when all are cut into nParts of about equal number, perpendicular to the axis.
