@@ -26,27 +26,41 @@ NodeToCells nodeToCells(const std::vector<Simplex<Dim>>& cells, int nNodes) {
     return around;
 }
 
+namespace {
+
+/// Write `values` in ascending order; none is twice among them.
+void writeSorted(const std::vector<int>& values, int* to) {
+    for (int value : values) {  // counting is quicker than moving: no branches
+        int rank = 0;
+        for (int other : values) rank += other < value;
+        to[rank] = value;
+    }
+}
+
+}  // namespace
+
 template <int Dim>
 NodeToNodes nodeToNodes(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around) {
     const int nNodes = static_cast<int>(around.start.size()) - 1;
     std::vector<int> ring(around.cell.size() * Dim);  // of node i: from Dim * around.start[i] on
     NodeToNodes result;
     result.start.assign(around.start.size(), 0);
-#pragma omp parallel for schedule(static) if (cells.size() > shortLoop)
-    for (int i = 0; i < nNodes; ++i) {
-        int* const first = ring.data() + static_cast<std::ptrdiff_t>(Dim) * around.start[i];
-        int* last = first;
-        for (int s = around.start[i]; s < around.start[i + 1]; ++s)
-            for (int node : cells[around.cell[s]]) {
-                if (node == i) continue;
-                int* at = last;  // insertion into the sorted list: it is short
-                while (at != first && at[-1] > node) --at;
-                if (at != first && at[-1] == node) continue;
-                std::copy_backward(at, last, last + 1);
-                *at = node;
-                ++last;
-            }
-        result.start[i + 1] = static_cast<int>(last - first);
+#pragma omp parallel if (cells.size() > shortLoop)
+    {
+        std::vector<int> found;
+#pragma omp for schedule(static)
+        for (int i = 0; i < nNodes; ++i) {
+            found.clear();
+            for (int s = around.start[i]; s < around.start[i + 1]; ++s)
+                for (int k = 1; k <= Dim; ++k) {
+                    const int node = cells[around.cell[s]][(around.corner[s] + k) % (Dim + 1)];
+                    bool known = false;
+                    for (int other : found) known |= other == node;
+                    if (!known) found.push_back(node);
+                }
+            writeSorted(found, ring.data() + static_cast<std::ptrdiff_t>(Dim) * around.start[i]);
+            result.start[i + 1] = static_cast<int>(found.size());
+        }
     }
     for (int i = 0; i < nNodes; ++i) result.start[i + 1] += result.start[i];
     result.node.resize(result.start[nNodes]);
@@ -63,10 +77,14 @@ std::vector<BoundaryFace<Dim>> boundaryFaces(const std::vector<Simplex<Dim>>& ce
     const auto isShared = [&](int e, const Face<Dim>& face) {
         for (int s = around.start[face[0]]; s < around.start[face[0] + 1]; ++s) {
             const auto& other = cells[around.cell[s]];
-            if (around.cell[s] != e && std::all_of(face.begin() + 1, face.end(), [&](int node) {
-                    return std::find(other.begin(), other.end(), node) != other.end();
-                }))
-                return true;
+            if (around.cell[s] == e) continue;
+            bool all = true;
+            for (int l = 1; l < Dim; ++l) {
+                bool has = false;
+                for (int k = 1; k <= Dim; ++k) has |= other[(around.corner[s] + k) % (Dim + 1)] == face[l];
+                all &= has;
+            }
+            if (all) return true;
         }
         return false;
     };

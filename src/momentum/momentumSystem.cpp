@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.hpp"
+
 namespace pfem {
 
 namespace {
@@ -37,10 +39,13 @@ template <int Dim>
 std::vector<double> viscousDiagonal(const Patches<Dim>& fluid, const std::vector<double>& mu) {
     std::vector<double> diagonal(fluid.nNodes(), 0.0);
     const auto cellMu = fromPoints<Dim>(fluid, mu);
-    for (int e = 0; e < fluid.nCells(); ++e) {
-        const auto& g = fluid.element[e];
-        for (int k = 0; k <= Dim; ++k) diagonal[fluid.cell(e)[k]] += 2 * cellMu[e] * g.measure * g.gradN[k].squaredNorm();
-    }
+    const NodeToCells& around = *fluid.around;
+    forEach(fluid.nNodes(), [&](int i) {
+        for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
+            const auto& g = fluid.element[around.cell[s]];
+            diagonal[i] += 2 * cellMu[around.cell[s]] * g.measure * g.gradN[around.corner[s]].squaredNorm();
+        }
+    });
     return diagonal;
 }
 
@@ -106,7 +111,7 @@ void MomentumSystem<Dim>::setViscosity(FlowViscosity<Dim> viscosity) {
 
 template <int Dim>
 void MomentumSystem<Dim>::setMass(const std::vector<double>& mass) {
-    for (std::size_t i = 0; i < mass.size(); ++i) diagonal_[i] = moving_[i] ? massFactor_ * mass[i] : 0.0;
+    forEach(static_cast<int>(mass.size()), [&](int i) { diagonal_[i] = moving_[i] ? massFactor_ * mass[i] : 0.0; });
 }
 
 template <int Dim>
@@ -130,8 +135,9 @@ void MomentumSystem<Dim>::scatter(const Eigen::VectorXd& u, Points<Dim>& r) cons
 template <int Dim>
 Points<Dim> MomentumSystem<Dim>::restricted(const Points<Dim>& r) const {
     Points<Dim> result(r.size(), Vec<Dim>::Zero());
-    for (std::size_t i = 0; i < r.size(); ++i)
-        if (diagonal_[i] > 0 || dofs_.local[i] >= 0) result[i] = constraints_.project(static_cast<int>(i), r[i]);
+    forEach(static_cast<int>(r.size()), [&](int i) {
+        if (diagonal_[i] > 0 || dofs_.local[i] >= 0) result[i] = constraints_.project(i, r[i]);
+    });
     return result;
 }
 
@@ -149,9 +155,9 @@ template <int Dim>
 Points<Dim> MomentumSystem<Dim>::precondition(const Points<Dim>& r) const {
     Points<Dim> z(r.size(), Vec<Dim>::Zero());
     // projected again: the round-off of a large wall reaction must not become a direction
-    for (std::size_t i = 0; i < r.size(); ++i)
-        if (diagonal_[i] > 0)
-            z[i] = constraints_.project(static_cast<int>(i), r[i]) / (diagonal_[i] + (viscous_ ? viscousDiagonal_[i] : 0));
+    forEach(static_cast<int>(r.size()), [&](int i) {
+        if (diagonal_[i] > 0) z[i] = constraints_.project(i, r[i]) / (diagonal_[i] + (viscous_ ? viscousDiagonal_[i] : 0));
+    });
     if (dofs_.n > 0) scatter(factor_.solve(gather(r)), z);
     return z;
 }

@@ -1,5 +1,7 @@
 #include "momentum/residual.hpp"
 
+#include "base/parallel.hpp"
+
 namespace pfem {
 
 template <int Dim>
@@ -19,7 +21,7 @@ Points<Dim> momentumResidual(const std::vector<double>& mass, const Points<Dim>&
                              const Patches<Dim>& fluid, const std::vector<double>& p, const Patches<Dim>& solid,
                              const std::vector<Tensor<Dim>>& solidStress, const Points<Dim>& external) {
     Points<Dim> R(a.size());
-    for (std::size_t i = 0; i < a.size(); ++i) R[i] = mass[i] * (a[i] - gravity) - external[i];
+    forEach(static_cast<int>(a.size()), [&](int i) { R[i] = mass[i] * (a[i] - gravity) - external[i]; });
     addPressureForce<Dim>(fluid, p, R);
     addInternalForce<Dim>(solid, solidStress, R);
     return R;

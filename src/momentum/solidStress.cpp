@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.hpp"
 #include "material/hypoelastic.hpp"
 #include "material/neoHookean.hpp"
 
@@ -28,7 +29,7 @@ std::vector<Tensor<Dim>> hyperelasticElementStress(const Patches<Dim>& reference
 template <int Dim>
 std::vector<Tensor<Dim>> cauchyElementStress(const Patches<Dim>& patches, const std::vector<Stress<Dim>>& sigma) {
     std::vector<Tensor<Dim>> point(sigma.size());
-    for (std::size_t p = 0; p < sigma.size(); ++p) point[p] = stressTensor<Dim>(sigma[p]);
+    forEach(static_cast<int>(sigma.size()), [&](int p) { point[p] = stressTensor<Dim>(sigma[p]); });
     return fromPoints<Dim>(patches, std::move(point));
 }
 
@@ -53,7 +54,7 @@ Points<Dim> gradientPositions(const SolidControls& controls, const Nodes<Dim>& o
     if (controls.stressUpdate == "paper") return trial.x;
     if (controls.stressUpdate == "neoHookean") return trial.X;
     Points<Dim> middle(old.x.size());
-    for (std::size_t i = 0; i < middle.size(); ++i) middle[i] = 0.5 * (old.x[i] + trial.x[i]);
+    forEach(old.size(), [&](int i) { middle[i] = 0.5 * (old.x[i] + trial.x[i]); });
     return middle;
 }
 
@@ -85,8 +86,9 @@ std::vector<Stress<Dim>> updatedStress(const Problem<Dim>& problem, const SolidC
         });
     } else {
         Points<Dim> increment(old.x.size());
-        for (std::size_t i = 0; i < increment.size(); ++i)  // x - x^n without its cancellation
+        forEach(old.size(), [&](int i) {  // x - x^n without its cancellation
             increment[i] = 0.5 * dt * (old.v[i] + trial.v[i]);
+        });
         update(increment, [](Law m, Old s, Gradient du) {
             return m.law != nullptr ? lawMidpoint<Dim>(*m.law, s, du) : rotatedMidpoint<Dim>(m, s, du);
         });

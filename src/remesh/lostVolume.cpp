@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
 
 namespace pfem {
@@ -73,32 +74,29 @@ void exchangeWithDrops(const MovedMesh<2>& moved, const std::vector<int>& newInd
 template <int Dim>
 void chargeMotion(const NodeToCells& around, const std::vector<Simplex<Dim>>& cells, const Points<Dim>& xOld,
                   Nodes<Dim>& nodes) {
-    std::vector<double> change(cells.size()), weight(cells.size()), pool(cells.size());
-    for (std::size_t e = 0; e < cells.size(); ++e) {
+    const int nCells = static_cast<int>(cells.size());
+    std::vector<double> change(nCells), weight(nCells), pool(nCells);
+    forEach(nCells, [&](int e) {
         const double now = simplexMeasure<Dim>(nodes.x, cells[e]);
         change[e] = (now - simplexMeasure<Dim>(xOld, cells[e])) / (Dim + 1);
         weight[e] = std::max(now, 0.0);
-    }
-    std::vector<double> intensity(nodes.size(), 0.0);
-    for (int i = 0; i < nodes.size(); ++i) {
-        double volume = 0;
+    });
+    std::vector<double> intensity(nodes.size(), 0.0), volume(nodes.size(), 0.0);
+    forEach(nodes.size(), [&](int i) {
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
             nodes.lostVolume[i] -= change[around.cell[s]];
-            volume += weight[around.cell[s]];
+            volume[i] += weight[around.cell[s]];
         }
-        if (volume > 0) intensity[i] = nodes.lostVolume[i] / volume;
-    }
-    for (std::size_t e = 0; e < cells.size(); ++e)
+        if (volume[i] > 0) intensity[i] = nodes.lostVolume[i] / volume[i];
+    });
+    forEach(nCells, [&](int e) {
         for (int node : cells[e]) pool[e] += weight[e] * intensity[node] / (Dim + 1);
-    for (int i = 0; i < nodes.size(); ++i) {
-        if (intensity[i] == 0 && around.count(i) == 0) continue;
-        double sum = 0, volume = 0;
-        for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
-            sum += pool[around.cell[s]];
-            volume += weight[around.cell[s]];
-        }
-        if (volume > 0) nodes.lostVolume[i] = sum;
-    }
+    });
+    forEach(nodes.size(), [&](int i) {
+        double sum = 0;
+        for (int s = around.start[i]; s < around.start[i + 1]; ++s) sum += pool[around.cell[s]];
+        if (volume[i] > 0) nodes.lostVolume[i] = sum;
+    });
 }
 
 void chargeRemeshing(const MovedMesh<2>& moved, const NodePlan<2>& plan, const std::vector<int>& newIndex,

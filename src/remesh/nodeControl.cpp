@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
 #include "remesh/wallContact.hpp"
 
@@ -20,8 +21,20 @@ public:
           h_(h),
           kept_(kept),
           ring_(moved.topology.ring),
-          locked_(moved.x.size(), 0) {
+          locked_(moved.x.size(), 0),
+          near_(moved.x.size(), 0),
+          long_(moved.x.size(), 0) {
         plan_.removed.assign(moved.x.size(), 0);
+        const double close = std::max(controls.removeDistance, controls.removeDistanceSurface);
+        forEach(static_cast<int>(moved.x.size()), [&](int i) {  // most nodes need no second look
+            for (int s = ring_.start[i]; s < ring_.start[i + 1]; ++s) {
+                const int j = ring_.node[s];
+                const double size = 0.5 * (h_[i] + h_[j]);
+                const double squared = (moved_.x[i] - moved_.x[j]).squaredNorm() / (size * size);
+                near_[i] |= squared < 1.01 * close * close;
+                long_[i] |= j > i && squared > 0.99 * controls.insertDistance * controls.insertDistance;
+            }
+        });
     }
 
     NodePlan<Dim> plan() {
@@ -63,7 +76,7 @@ private:
 
     void removeClose() {
         for (int i = 0; i < static_cast<int>(moved_.x.size()); ++i) {
-            if (kept_[i] || locked_[i] || !moved_.topology.wet(i)) continue;
+            if (!near_[i] || kept_[i] || locked_[i] || !moved_.topology.wet(i)) continue;
             if (isTooClose(i)) remove(i);
         }
     }
@@ -91,7 +104,7 @@ private:
 
     void insertInLongEdges() {
         for (int i = 0; i < static_cast<int>(moved_.x.size()); ++i)
-            for (int s = ring_.start[i]; s < ring_.start[i + 1]; ++s) {
+            for (int s = ring_.start[i]; long_[i] && s < ring_.start[i + 1]; ++s) {
                 const int j = ring_.node[s];
                 if (j < i || locked_[i] || locked_[j]) continue;
                 if ((moved_.x[i] - moved_.x[j]).norm() < controls_.insertDistance * 0.5 * (h_[i] + h_[j])) continue;
@@ -167,6 +180,8 @@ private:
     const std::vector<unsigned char>& kept_;
     const NodeToNodes& ring_;
     std::vector<unsigned char> locked_;
+    std::vector<unsigned char> near_;  // a neighbour is about as close as for a removal
+    std::vector<unsigned char> long_;  // an edge to a later node is about as long as for an insertion
     NodePlan<Dim> plan_;
 };
 

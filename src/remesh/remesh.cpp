@@ -47,14 +47,15 @@ void insertNode(const Nodes<Dim>& old, int i, int j, int wall, State<Dim>& state
 /// Carry the plan out; returns the new index of each old node (-1 removed), inserted nodes after them.
 template <int Dim>
 std::vector<int> carryOut(const NodePlan<Dim>& plan, const MovedMesh<Dim>& moved, State<Dim>& state) {
-    const Nodes<Dim> old = state.nodes;
-    std::vector<int> newIndex(old.size() + plan.inserted.size(), -1);
-    state.nodes = Nodes<Dim>();
+    const Nodes<Dim> old = std::move(state.nodes);
+    std::vector<int> newIndex(old.size() + plan.inserted.size(), -1), stay;
+    stay.reserve(old.size());
     for (int i = 0; i < old.size(); ++i) {
         if (plan.removed[i]) continue;
-        newIndex[i] = state.nodes.size();
-        state.nodes.append(old, i);
+        newIndex[i] = static_cast<int>(stay.size());
+        stay.push_back(i);
     }
+    state.nodes = old.taken(stay);
     for (std::size_t k = 0; k < plan.inserted.size(); ++k) {
         newIndex[old.size() + k] = state.nodes.size();
         const auto [a, b] = plan.inserted[k];

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/parallel.hpp"
 #include "mesh/standing.hpp"
 #include "remesh/lostVolume.hpp"
 #include "remesh/penetration.hpp"
@@ -146,15 +147,19 @@ CourantRate courantRate(const State<Dim>& state) {
         rate.largest = std::max(rate.largest, own);
         rate.mean += own / nodes.size();
     }
-    double squared = 0;
-    for (const auto& s : state.mesh.fluid.nodes) {
+    double squared = 0, compression = 0;
+    const int nCells = state.mesh.fluid.size();
+#pragma omp parallel for schedule(static) reduction(max : squared, compression) if (nCells > shortLoop)
+    for (int e = 0; e < nCells; ++e) {
+        const auto& s = state.mesh.fluid.nodes[e];
         for (int a = 1; a <= Dim; ++a)
             for (int b = 0; b < a; ++b) {
                 const double h = std::min(nodes.h[s[a]], nodes.h[s[b]]);
                 squared = std::max(squared, (nodes.v[s[a]] - nodes.v[s[b]]).squaredNorm() / (h * h));
             }
-        rate.compression = std::max(rate.compression, -simplexDivergence<Dim>(nodes.x, nodes.v, s));
+        compression = std::max(compression, -simplexDivergence<Dim>(nodes.x, nodes.v, s));
     }
+    rate.compression = compression;
     rate.relative = std::sqrt(squared);
     return rate;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/parallel.hpp"
 #include "continuity/continuitySystem.hpp"
 #include "continuity/residual.hpp"
 #include "continuity/stabilisation.hpp"
@@ -28,8 +29,8 @@ template <int Dim>
 void moveNodes(const Newmark& newmark, const NodeConstraints<Dim>& constraints, const Topology<Dim>& topology,
                const Vec<Dim>& gravity, const Nodes<Dim>& old, Nodes<Dim>& trial) {
     const double dt = newmark.dt;
-    for (int i = 0; i < old.size(); ++i) {
-        if (constraints.hold[i] == Hold::fixed && !constraints.isMoved(i)) continue;
+    forEach(old.size(), [&](int i) {
+        if (constraints.hold[i] == Hold::fixed && !constraints.isMoved(i)) return;
         const Vec<Dim> fall = constraints.project(i, gravity);
         if (topology.isolated(i)) {
             trial.v[i] = old.v[i] + dt * fall;
@@ -37,11 +38,11 @@ void moveNodes(const Newmark& newmark, const NodeConstraints<Dim>& constraints, 
         }
         trial.x[i] = newmark.position<Dim>(old.x[i], old.v[i], trial.v[i]);
         trial.a[i] = topology.isolated(i) ? fall : newmark.acceleration<Dim>(old.v[i], trial.v[i], old.a[i]);
-        if (!constraints.isMoved(i)) continue;
+        if (!constraints.isMoved(i)) return;
         trial.x[i] = constraints.position(i, old.x[i], trial.x[i]);
         trial.v[i] = constraints.velocity(i, trial.x[i], trial.v[i]);
         trial.a[i] = constraints.combine(i, trial.a[i], (trial.v[i] - old.v[i]) / dt);  // no ringing after a jump
-    }
+    });
 }
 
 /// Would the motion with the old velocities leave less than a fifth of some fluid cell? So it is at an impact, before
@@ -170,7 +171,7 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
         auto external = tractionForce<Dim>(mesh, problem.conditions, trial.x);
         addWallFriction<Dim>(problem, mesh.fluid, topology, trial, external);
         addSideFriction<Dim>(problem, mesh.fluid, fluid, trial.v, external);
-        for (int i = 0; i < trial.size(); ++i) external[i] -= viscous[i];
+        forEach(trial.size(), [&](int i) { external[i] -= viscous[i]; });
         const auto R_m = momentumResidual<Dim>(
             mass, trial.a, problem.gravity, fluid, trial.p, solid,
             solidElementStress<Dim>(problem, controls.solid, mesh.solid, solidGradients, solid, stressOfSolid,
@@ -178,7 +179,7 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
             external);
         momentum.setMass(mass);
         const auto dv = momentum.solve(R_m);
-        for (int i = 0; i < trial.size(); ++i) trial.v[i] += dv[i];
+        forEach(trial.size(), [&](int i) { trial.v[i] += dv[i]; });
         moveNodes<Dim>(newmark, constraints, topology, problem.gravity, old, trial);
 
         // patches again: the continuity lives in the updated configuration, and so does the next momentum

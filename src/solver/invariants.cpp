@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
 #include "solver/failedStep.hpp"
 #include "state/volume.hpp"
@@ -76,10 +78,14 @@ void checkWalls(const Topology<2>& topology, const Points<2>& xOld, const State<
     for (const auto& patch : next.mesh.patches)
         for (const auto& face : patch.faces) {
             if (topology.walls[w++].patch < 0) continue;
-            for (int i = 0; i < next.nodes.size(); ++i)
-                if (next.nodes.wall[i] < 0 && !held[i] &&
-                    crossed(face, xOld, next.nodes.x, xOld[i], next.nodes.x[i], 0.01 * next.nodes.h[i]))
-                    fail<2>(next.nodes, i, "went through the wall '" + patch.name + "'");
+            std::vector<unsigned char> through(next.nodes.id.size(), 0);
+            forEach(next.nodes.size(), [&](int i) {
+                through[i] = next.nodes.wall[i] < 0 && !held[i] &&
+                             crossed(face, xOld, next.nodes.x, xOld[i], next.nodes.x[i], 0.01 * next.nodes.h[i]);
+            });
+            const auto first = std::find(through.begin(), through.end(), 1);
+            if (first != through.end())
+                fail<2>(next.nodes, static_cast<int>(first - through.begin()), "went through the wall '" + patch.name + "'");
         }
 }
 

@@ -32,6 +32,9 @@ struct Nodes {
 
     /// Append node i of another set.
     void append(const Nodes& other, int i);
+
+    /// The nodes with these indices, in their order.
+    Nodes taken(const std::vector<int>& indices) const;
 };
 
 /// Time and step; what OpenFOAM keeps in <time>/uniform/time.
@@ -81,6 +84,27 @@ void Nodes<Dim>::append(const Nodes& other, int i) {
     dropVolume.push_back(other.dropVolume[i]);
     lostVolume.push_back(other.lostVolume[i]);
     wall.push_back(other.wall[i]);
+}
+
+template <int Dim>
+Nodes<Dim> Nodes<Dim>::taken(const std::vector<int>& indices) const {
+    Nodes result;
+    const auto take = [&](auto& to, const auto& from) {
+        to.reserve(indices.size() + indices.size() / 64);  // a few are going to be inserted
+        for (int i : indices) to.push_back(from[i]);
+    };
+    take(result.id, id);
+    take(result.x, x);
+    take(result.v, v);
+    take(result.a, a);
+    take(result.p, p);
+    take(result.sigma, sigma);
+    take(result.X, X);
+    take(result.h, h);
+    take(result.dropVolume, dropVolume);
+    take(result.lostVolume, lostVolume);
+    take(result.wall, wall);
+    return result;
 }
 
 }  // namespace pfem
