@@ -5,7 +5,7 @@
 
 #include "base/error.hpp"
 #include "linear/denseFront.hpp"
-#include "linear/ldlt.hpp"
+#include "linear/minimumDegree.hpp"
 
 namespace pfem {
 

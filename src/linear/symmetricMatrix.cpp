@@ -6,15 +6,15 @@
 
 namespace pfem {
 
-void SymmetricMatrix::add(int i, int j, double amount) {
-    const int column = std::min(i, j);
-    const int wanted = std::max(i, j);
-    const auto begin = row.begin() + start[column];
-    const auto end = row.begin() + start[column + 1];
-    const auto found = std::lower_bound(begin, end, wanted);
-    if (found == end || *found != wanted) throw InternalError("SymmetricMatrix::add: entry outside the pattern");
-    value[found - row.begin()] += amount;
+int SymmetricMatrix::slot(int i, int j) const {
+    const auto begin = row.begin() + start[j];
+    const auto end = row.begin() + start[j + 1];
+    const auto found = std::lower_bound(begin, end, i);
+    if (found == end || *found != i) throw InternalError("SymmetricMatrix: entry outside the pattern");
+    return static_cast<int>(found - row.begin());
 }
+
+void SymmetricMatrix::add(int i, int j, double amount) { value[slot(std::max(i, j), std::min(i, j))] += amount; }
 
 Eigen::VectorXd SymmetricMatrix::multiply(const Eigen::VectorXd& x) const {
     Eigen::VectorXd y = Eigen::VectorXd::Zero(n);

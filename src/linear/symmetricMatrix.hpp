@@ -12,17 +12,14 @@ struct SymmetricMatrix {
     std::vector<int> row;
     std::vector<double> value;
 
+    /// Where entry (i, j), i >= j, is in `row` and `value`; it must be in the pattern.
+    int slot(int i, int j) const;
+
     /// Add to entry (i, j) which must be in the pattern; the triangle is chosen here.
     void add(int i, int j, double amount);
 
     /// y = A x.
     Eigen::VectorXd multiply(const Eigen::VectorXd& x) const;
-};
-
-/// Which unknowns meet in an entry of a matrix: those of i are neighbour[start[i]] ... neighbour[start[i + 1] - 1].
-struct MatrixGraph {
-    std::vector<int> start;  // n + 1
-    std::vector<int> neighbour;
 };
 
 /// The lower triangle by rows, diagonal included, columns in any order.

@@ -35,48 +35,55 @@ double pressureModulus(const Hypoelastic& m, const SolidControls& controls) {
     return splitsEnergy(controls) ? m.lambda() : m.kappa();
 }
 
+Moduli operator+(const Moduli& a, const Moduli& b) { return {a.lambda + b.lambda, a.mu + b.mu}; }
+
 /// Add (Omega G)^T C (Omega G) / Omega.
 template <int Dim>
 void addStiffness(SymmetricMatrix& A, const SolidDofs<Dim>& dofs, const Moduli& moduli, const GradientRow<Dim>& row) {
     const double lambda = moduli.lambda / row.volume;
     const double mu = moduli.mu / row.volume;
-    for (std::size_t a = 0; a < row.nodes.size(); ++a)
-        for (std::size_t b = 0; b < row.nodes.size(); ++b) {
-            const int la = dofs.local[row.nodes[a]];
-            const int lb = dofs.local[row.nodes[b]];
-            if (la < 0 || lb < 0) continue;
+    for (std::size_t b = 0; b < row.nodes.size(); ++b)
+        for (std::size_t a = 0; a < row.nodes.size(); ++a) {
+            const int na = row.nodes[a], nb = row.nodes[b];
+            const int la = dofs.local[na], lb = dofs.local[nb];
+            if (la < lb || lb < 0) continue;
             const Vec<Dim>& ga = row.weighted[a];
             const Vec<Dim>& gb = row.weighted[b];
             const Tensor<Dim> K = lambda * ga * gb.transpose() + mu * gb * ga.transpose() +
                                   mu * ga.dot(gb) * Tensor<Dim>::Identity();
-            for (int ca = 0; ca < dofs.count[row.nodes[a]]; ++ca)
-                for (int cb = 0; cb < dofs.count[row.nodes[b]]; ++cb) {
-                    const int i = dofs.first[row.nodes[a]] + ca;
-                    const int j = dofs.first[row.nodes[b]] + cb;
-                    if (i >= j) A.add(i, j, dofs.basis[la].col(ca).dot(K * dofs.basis[lb].col(cb)));
-                }
+            for (int cb = 0; cb < dofs.count[nb]; ++cb) {
+                const int first = la == lb ? cb : 0;  // rows of one node follow each other
+                const int slot = A.slot(dofs.first[na] + first, dofs.first[nb] + cb);
+                for (int ca = first; ca < dofs.count[na]; ++ca)
+                    A.value[slot + ca - first] += dofs.basis[la].col(ca).dot(K * dofs.basis[lb].col(cb));
+            }
         }
 }
 
 /// Pattern: nodes that share a stress point (nodal patches: two rings of the mesh).
 template <int Dim>
 SymmetricMatrix emptySolidMatrix(const Patches<Dim>& patches, const SolidDofs<Dim>& dofs) {
-    std::vector<std::vector<int>> lower(dofs.n);
+    std::vector<std::vector<int>> lower(dofs.node.size());  // by local nodes
     for (int p = 0; p < nStressPoints<Dim>(patches); ++p) {
         if (!isStressPoint<Dim>(patches, p)) continue;
         const GradientRow<Dim> row = pointRow<Dim>(patches, p);
         for (int a : row.nodes)
             for (int b : row.nodes)
-                for (int ca = 0; ca < dofs.count[a]; ++ca)
-                    for (int cb = 0; cb < dofs.count[b]; ++cb)
-                        if (dofs.first[a] + ca > dofs.first[b] + cb)
-                            lower[dofs.first[b] + cb].push_back(dofs.first[a] + ca);
+                if (dofs.local[b] >= 0 && dofs.local[a] > dofs.local[b]) lower[dofs.local[b]].push_back(dofs.local[a]);
     }
-    for (auto& rows : lower) {
-        std::sort(rows.begin(), rows.end());
-        rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    std::vector<std::vector<int>> rows(dofs.n);
+    for (std::size_t l = 0; l < lower.size(); ++l) {
+        std::sort(lower[l].begin(), lower[l].end());
+        lower[l].erase(std::unique(lower[l].begin(), lower[l].end()), lower[l].end());
+        const int first = dofs.first[dofs.node[l]], count = dofs.count[dofs.node[l]];
+        for (int c = 0; c < count; ++c) {
+            auto& column = rows[first + c];
+            for (int d = c + 1; d < count; ++d) column.push_back(first + d);
+            for (int other : lower[l])
+                for (int d = 0; d < dofs.count[dofs.node[other]]; ++d) column.push_back(dofs.first[dofs.node[other]] + d);
+        }
     }
-    return symmetricPattern(lower);
+    return symmetricPattern(rows);
 }
 
 }  // namespace
@@ -120,9 +127,8 @@ SymmetricMatrix solidMatrix(const Problem<Dim>& problem, const SolidControls& co
         const auto row = pointRow<Dim>(patches, p);
         Moduli moduli = elastic(material, tangent);
         if (withPressure) moduli.lambda -= tangent * pressureModulus(material, controls);
-        addStiffness<Dim>(A, dofs, moduli, row);
         const double tau = dampingTime(material, controls.damping, atPoint<Dim>(patches, h, p));
-        addStiffness<Dim>(A, dofs, elastic(material, -tau), row);
+        addStiffness<Dim>(A, dofs, moduli + elastic(material, -tau), row);
     }
     for (int e = 0; e < patches.nCells(); ++e) {
         const Hypoelastic& material = problem.solid(cells.material[e]);

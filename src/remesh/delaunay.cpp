@@ -26,7 +26,8 @@ std::vector<Cdt::Vertex_handle> insertPoints(Cdt& cdt, const Points<2>& points, 
     sites.reserve(active.size());
     for (int i : active) sites.emplace_back(Kernel::Point_2(points[i][0], points[i][1]), i);
     using Map = CGAL::First_of_pair_property_map<std::pair<Kernel::Point_2, int>>;
-    CGAL::spatial_sort(sites.begin(), sites.end(), CGAL::Spatial_sort_traits_adapter_2<Kernel, Map>());
+    CGAL::spatial_sort(sites.begin(), sites.end(), CGAL::Spatial_sort_traits_adapter_2<Kernel, Map>(),
+                       CGAL::Hilbert_sort_middle_policy());
 
     std::vector<Cdt::Vertex_handle> handle(points.size());
     Cdt::Face_handle hint;
