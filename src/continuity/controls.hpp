@@ -39,7 +39,8 @@ struct ContinuityControls {
         v("interfaceAcceleration", interfaceAcceleration, "-",
           "with bodyForce: moving solids and walls enter the stabilisation with their normal acceleration", any);
         v("volumeReturnTime", volumeReturnTime, "s",
-          "time scale within which volume that was lost or gained is returned where it happened; 0 = never",
+          "time scale within which volume that was lost or gained is returned where it happened, at least four steps; "
+          "0 = never",
           nonNegative);
         v("volumeCorrectionTime", volumeCorrectionTime, "s",
           "time scale of a correction that returns the whole fluid's volume by a uniform divergence; 0 = none",

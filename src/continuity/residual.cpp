@@ -56,6 +56,10 @@ double meanOverCells(const Patches<Dim>& patches, const std::vector<double>& val
 
 }  // namespace
 
+double volumeReturnRate(const ContinuityControls& controls, double dt) {
+    return controls.volumeReturnTime > 0 ? 1 / std::max(controls.volumeReturnTime, 4 * dt) : 0;
+}
+
 template <int Dim>
 std::vector<double> continuityResidual(const Problem<Dim>& problem, const ContinuityControls& controls,
                                        const Cells<Dim>& cells, const Topology<Dim>& topology,
@@ -66,8 +70,7 @@ std::vector<double> continuityResidual(const Problem<Dim>& problem, const Contin
     const double tauFaces = inertia ? 0 : meanOverCells<Dim>(patches, tau);
     const auto terms = cellTerms<Dim>(problem, cells, patches, tau, tauFaces, trial, old, inertia, dt, divTarget);
     const NodeToCells& around = topology.fluid;
-    const double returnRate =
-        controls.volumeReturnTime > 0 ? 1 / std::max(controls.volumeReturnTime, dt) : 0;
+    const double returnRate = volumeReturnRate(controls, dt);
     std::vector<double> R(trial.size(), 0.0);
 #pragma omp parallel for schedule(static) if (cells.size() > shortLoop)
     for (int i = 0; i < topology.nNodes(); ++i) {

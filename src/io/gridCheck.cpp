@@ -108,20 +108,27 @@ Damage damageOf(const std::string& file) {
     return {};
 }
 
-std::string brokenArray(const std::string& file,
-                        const std::function<bool(const char* bytes, std::size_t n, std::size_t whole)>& opens) {
+std::string brokenArray(const std::string& file, const Unpack& unpack) {
     const auto appended = file.find("<AppendedData"), base = file.find('_', appended) + 1;
     for (auto begin = file.find('<'); begin < appended; begin = file.find('<', begin + 1)) {
         const std::string tag = file.substr(begin, file.find('>', begin) - begin);
         if (attribute(tag, "format") != "appended") continue;
+        const std::string name = attribute(tag, "Name").value_or("without name");
         const char* head = &file[base + *wholeNumber(*attribute(tag, "offset"))];
         const std::uint64_t blocks = wordAt(head), size = blocks > 0 ? wordAt(head + 8) : 0, last = blocks > 0 ? wordAt(head + 16) : 0;
         const char* data = head + 8 * (3 + blocks);
+        std::uint64_t strings = 0;  // each ends with a zero
         for (std::uint64_t k = 0; k < blocks; ++k) {
             const std::uint64_t n = wordAt(head + 24 + 8 * k);
-            if (!opens(data, n, k + 1 == blocks && last > 0 ? last : size)) return attribute(tag, "Name").value_or("without name");
+            const auto bytes = unpack(data, n, k + 1 == blocks && last > 0 ? last : size);
+            if (!bytes) return name;
+            strings += static_cast<std::uint64_t>(std::count(bytes->begin(), bytes->end(), '\0'));
             data += n;
         }
+        if (attribute(tag, "type") == "String" &&
+            strings != wholeNumber(attribute(tag, "NumberOfTuples").value_or("0")).value_or(0) *
+                           wholeNumber(attribute(tag, "NumberOfComponents").value_or("1")).value_or(1))
+            return name;
     }
     return "";
 }

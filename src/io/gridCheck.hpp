@@ -2,6 +2,7 @@
 // A look at a .vtu file before VTK reads it: VTK's reader trusts the counts in it, and dies of some that are wrong.
 
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace pfem {
@@ -19,9 +20,11 @@ struct Damage {
 /// what is promised. What concerns an array names it.
 Damage damageOf(const std::string& file);
 
-/// The first array of a file without any such damage that has a block of data which `opens` (compressed bytes, their number,
-/// number of bytes that they stand for) cannot decompress; "" without.
-std::string brokenArray(const std::string& file,
-                        const std::function<bool(const char* bytes, std::size_t n, std::size_t whole)>& opens);
+/// The bytes of one compressed block (its bytes, their number, number of bytes that they stand for), nothing where it is broken.
+using Unpack = std::function<std::optional<std::string>(const char* bytes, std::size_t n, std::size_t whole)>;
+
+/// The first array of a file without any such damage that has a block which cannot be unpacked, or another number of
+/// strings than it says; "" without.
+std::string brokenArray(const std::string& file, const Unpack& unpack);
 
 }  // namespace pfem

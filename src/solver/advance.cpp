@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.hpp"
+#include "continuity/residual.hpp"
 #include "mesh/standing.hpp"
 #include "remesh/lostVolume.hpp"
 #include "remesh/penetration.hpp"
@@ -28,13 +29,13 @@ double volumeCorrection(const State<Dim>& state, double time, double dt) {
     return volume > 0 ? -change / (volume * std::max(time, dt)) : 0;
 }
 
-/// Volume that the step returns to where it was lost, per time.
+/// What the nodes of the fluid lack.
 template <int Dim>
-double returnRate(const Topology<Dim>& topology, const Nodes<Dim>& nodes, double time, double dt) {
+double lostVolume(const Topology<Dim>& topology, const Nodes<Dim>& nodes) {
     double lost = 0;
     for (int i = 0; i < nodes.size(); ++i)
         if (topology.wet(i)) lost += nodes.lostVolume[i];
-    return time > 0 ? lost / std::max(time, dt) : 0;
+    return lost;
 }
 
 /// Constraints between two times [s] counted from the state's.
@@ -103,7 +104,7 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, c
     const double moved = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes);
     const double correction =
         report.dt * (divTarget * volume +
-                     returnRate<Dim>(topology, state.nodes, controls.continuity.volumeReturnTime, report.dt));
+                     volumeReturnRate(controls.continuity, report.dt) * lostVolume<Dim>(topology, state.nodes));
     state.ledger["correction"] += correction;
     state.ledger["solver"] += moved - volume - correction;
     const double stepped = now();
