@@ -185,6 +185,28 @@ TEST(StateFiles, FlippedBytes) {
     }
 }
 
+/// VTK's reader itself writes behind its memory when an array of strings holds more than it says.
+TEST(StateFiles, StringsAreCountedBeforeTheyAreRead) {
+    const TemporaryFolder folder;
+    writeState(folder.path() / "1", sampleState());
+    const fs::path file = folder.path() / "1" / "fluid.vtu";
+    std::string text = readText(file);
+    removeChecksums(folder.path() / "1");
+    const std::string said = "Name=\"materials\" NumberOfTuples=\"";
+    const auto at = text.find(said);
+    ASSERT_NE(at, std::string::npos);
+    for (const char number : {'0', '1', '9'}) {
+        text[at + said.size()] = number;
+        put(file, text);
+        try {
+            readState<2>(folder.path() / "1");
+            ADD_FAILURE() << "no error for " << number;
+        } catch (const UserError& error) {
+            EXPECT_NE(std::string(error.what()).find("array 'materials'"), std::string::npos) << error.what();
+        }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Checksums, Damaged, testing::Values(false, true),
                          [](const auto& parameter) { return parameter.param ? "without" : "with"; });
 
