@@ -68,11 +68,45 @@ std::string damageOfBlocks(const std::string& file, std::uint64_t begin) {
     return "";
 }
 
+/// Where in a file a tag stands.
+struct Context {
+    std::string section;  // PointData, Cells, ...
+    std::uint64_t points = 0, cells = 0;
+
+    void enter(const std::string& name, const std::string& tag) {
+        if (isOneOf(name, {"FieldData", "PointData", "CellData", "Points", "Cells"})) section = name;
+        if (name != "Piece") return;
+        points = wholeNumber(attribute(tag, "NumberOfPoints").value_or("")).value_or(0);
+        cells = wholeNumber(attribute(tag, "NumberOfCells").value_or("")).value_or(0);
+    }
+
+    /// Bytes of an array of numbers; nothing where the head does not say it.
+    std::optional<std::uint64_t> bytes(const std::string& tag) const {
+        const std::string type = attribute(tag, "type").value_or(""), name = attribute(tag, "Name").value_or("");
+        if (type == "String" || (section == "Cells" && name == "connectivity")) return {};
+        const std::uint64_t tuples = section == "FieldData"
+                                         ? wholeNumber(attribute(tag, "NumberOfTuples").value_or("0")).value_or(0)
+                                     : section == "PointData" || section == "Points" ? points
+                                                                                     : cells;
+        const std::uint64_t components = wholeNumber(attribute(tag, "NumberOfComponents").value_or("1")).value_or(1);
+        return tuples * components * (type.ends_with("64") ? 8 : type.ends_with("32") ? 4 : 1);
+    }
+};
+
+/// Bytes that the blocks of sound data stand for.
+std::uint64_t unpackedBytes(const char* head) {
+    const std::uint64_t blocks = wordAt(head);
+    if (blocks == 0) return 0;
+    const std::uint64_t size = wordAt(head + 8), last = wordAt(head + 16);
+    return last > 0 ? (blocks - 1) * size + last : blocks * size;
+}
+
 /// What is wrong with one tag `<...` and, of an array, with its data; `base`: where the data begin.
-Damage damageOfTag(const std::string& file, std::string tag, std::uint64_t base) {
+Damage damageOfTag(const std::string& file, std::string tag, std::uint64_t base, Context& context) {
     if (tag.ends_with("/")) tag.back() = ' ';
     const std::string name = tag.substr(1, tag.find_first_of(" \n\t", 1) - 1);
     if (!isOneOf(name, elements)) return {"unknown element", 0, true};
+    context.enter(name, tag);
     const std::string array = fmt::format("array '{}' ", attribute(tag, "Name").value_or("without name"));
     if (const auto type = attribute(tag, "type"); name.ends_with("Array") && (!type || !isOneOf(*type, types)))
         return {array + "has an unknown type", 0, true};
@@ -85,7 +119,12 @@ Damage damageOfTag(const std::string& file, std::string tag, std::uint64_t base)
     const auto offset = wholeNumber(attribute(tag, "offset").value_or(""));
     if (!offset || *offset > file.size()) return {array + "has no place in the file"};
     const auto damage = damageOfBlocks(file, base + *offset);
-    return damage.empty() ? Damage{} : Damage{array + damage};
+    if (!damage.empty()) return {array + damage};
+    const std::uint64_t bytes = unpackedBytes(&file[base + *offset]);
+    if (const auto wanted = context.bytes(tag); wanted && bytes != *wanted)
+        return {array + fmt::format("has {} bytes of data, not {}", bytes, *wanted)};
+    if (context.section == "Cells" && bytes == 0 && context.cells > 0) return {array + "has no data"};
+    return {};
 }
 
 }  // namespace
@@ -98,10 +137,11 @@ Damage damageOf(const std::string& file) {
     };
     const auto base = file.find('_', appended);
     if (base == std::string::npos) return {"its data are missing", lineAt(appended)};
+    Context context;
     for (auto begin = file.find('<'); begin < appended; begin = file.find('<', begin + 1)) {
         const auto end = file.find('>', begin);
         if (end == std::string::npos || end > appended + 40) return {"its head is not complete", lineAt(begin)};
-        Damage damage = damageOfTag(file, file.substr(begin, end - begin), base + 1);
+        Damage damage = damageOfTag(file, file.substr(begin, end - begin), base + 1, context);
         damage.line = lineAt(begin);
         if (!damage.reason.empty()) return damage;
     }

@@ -207,6 +207,26 @@ TEST(StateFiles, StringsAreCountedBeforeTheyAreRead) {
     }
 }
 
+/// VTK trusts the head: an array that is shorter than it promises is read behind its end.
+TEST(StateFiles, ArraysHaveTheSizeThatIsPromised) {
+    const TemporaryFolder folder;
+    writeState(folder.path() / "1", sampleState());
+    removeChecksums(folder.path() / "1");
+    const fs::path file = folder.path() / "1" / "fluid.vtu";
+    const std::string whole = readText(file), said = "Name=\"U\" NumberOfComponents=\"";
+    std::string text = whole;
+    const auto at = text.find(said);
+    ASSERT_NE(at, std::string::npos);
+    text[at + said.size()] = '9';
+    put(file, text);
+    try {
+        readState<2>(folder.path() / "1");
+        ADD_FAILURE() << "no error";
+    } catch (const UserError& error) {
+        EXPECT_NE(std::string(error.what()).find("array 'U' has"), std::string::npos) << error.what();
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Checksums, Damaged, testing::Values(false, true),
                          [](const auto& parameter) { return parameter.param ? "without" : "with"; });
 
