@@ -57,7 +57,8 @@ double meanOverCells(const Patches<Dim>& patches, const std::vector<double>& val
 }  // namespace
 
 double volumeReturnRate(const ContinuityControls& controls, double dt) {
-    return controls.volumeReturnTime > 0 ? 1 / std::max(controls.volumeReturnTime, 4 * dt) : 0;
+    constexpr double leastSteps = 4;  // 2.5 already lets waves grow (doc/decisions.md)
+    return controls.volumeReturnTime > 0 ? 1 / std::max(controls.volumeReturnTime, leastSteps * dt) : 0;
 }
 
 template <int Dim>

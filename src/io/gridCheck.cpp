@@ -68,6 +68,12 @@ std::string damageOfBlocks(const std::string& file, std::uint64_t begin) {
     return "";
 }
 
+/// A number that a tag says, or what holds when it says nothing.
+std::uint64_t declared(const std::string& tag, const char* name, std::uint64_t otherwise) {
+    const auto text = attribute(tag, name);
+    return text ? wholeNumber(*text).value_or(0) : otherwise;
+}
+
 /// Where in a file a tag stands.
 struct Context {
     std::string section;  // PointData, Cells, ...
@@ -76,19 +82,18 @@ struct Context {
     void enter(const std::string& name, const std::string& tag) {
         if (isOneOf(name, {"FieldData", "PointData", "CellData", "Points", "Cells"})) section = name;
         if (name != "Piece") return;
-        points = wholeNumber(attribute(tag, "NumberOfPoints").value_or("")).value_or(0);
-        cells = wholeNumber(attribute(tag, "NumberOfCells").value_or("")).value_or(0);
+        points = declared(tag, "NumberOfPoints", 0);
+        cells = declared(tag, "NumberOfCells", 0);
     }
 
     /// Bytes of an array of numbers; nothing where the head does not say it.
     std::optional<std::uint64_t> bytes(const std::string& tag) const {
         const std::string type = attribute(tag, "type").value_or(""), name = attribute(tag, "Name").value_or("");
         if (type == "String" || (section == "Cells" && name == "connectivity")) return {};
-        const std::uint64_t tuples = section == "FieldData"
-                                         ? wholeNumber(attribute(tag, "NumberOfTuples").value_or("0")).value_or(0)
-                                     : section == "PointData" || section == "Points" ? points
-                                                                                     : cells;
-        const std::uint64_t components = wholeNumber(attribute(tag, "NumberOfComponents").value_or("1")).value_or(1);
+        std::uint64_t tuples = cells;
+        if (section == "FieldData") tuples = declared(tag, "NumberOfTuples", 0);
+        if (section == "PointData" || section == "Points") tuples = points;
+        const std::uint64_t components = declared(tag, "NumberOfComponents", 1);
         return tuples * components * (type.ends_with("64") ? 8 : type.ends_with("32") ? 4 : 1);
     }
 };
@@ -148,11 +153,12 @@ Damage damageOf(const std::string& file) {
     return {};
 }
 
-std::string brokenArray(const std::string& file, const Unpack& unpack) {
+std::string brokenArray(const std::string& file, const Unpack& unpack, bool onlyStrings) {
     const auto appended = file.find("<AppendedData"), base = file.find('_', appended) + 1;
     for (auto begin = file.find('<'); begin < appended; begin = file.find('<', begin + 1)) {
         const std::string tag = file.substr(begin, file.find('>', begin) - begin);
-        if (attribute(tag, "format") != "appended") continue;
+        const bool ofStrings = attribute(tag, "type") == "String";
+        if (attribute(tag, "format") != "appended" || (onlyStrings && !ofStrings)) continue;
         const std::string name = attribute(tag, "Name").value_or("without name");
         const char* head = &file[base + *wholeNumber(*attribute(tag, "offset"))];
         const std::uint64_t blocks = wordAt(head), size = blocks > 0 ? wordAt(head + 8) : 0, last = blocks > 0 ? wordAt(head + 16) : 0;
@@ -162,13 +168,10 @@ std::string brokenArray(const std::string& file, const Unpack& unpack) {
             const std::uint64_t n = wordAt(head + 24 + 8 * k);
             const auto bytes = unpack(data, n, k + 1 == blocks && last > 0 ? last : size);
             if (!bytes) return name;
-            strings += static_cast<std::uint64_t>(std::count(bytes->begin(), bytes->end(), '\0'));
+            if (ofStrings) strings += static_cast<std::uint64_t>(std::count(bytes->begin(), bytes->end(), '\0'));
             data += n;
         }
-        if (attribute(tag, "type") == "String" &&
-            strings != wholeNumber(attribute(tag, "NumberOfTuples").value_or("0")).value_or(0) *
-                           wholeNumber(attribute(tag, "NumberOfComponents").value_or("1")).value_or(1))
-            return name;
+        if (ofStrings && strings != declared(tag, "NumberOfTuples", 0) * declared(tag, "NumberOfComponents", 1)) return name;
     }
     return "";
 }

@@ -97,18 +97,20 @@ std::string reasonOf(unsigned long code) {
     return "write error " + std::to_string(code);
 }
 
-/// The name of the first array that cannot be decompressed or has a wrong number of strings; "" when all are sound, and
+/// "array 'p' is ": the first one that cannot be decompressed or has a wrong number of strings; "" when all are sound, and
 /// for files of others.
-std::string whereBroken(const std::filesystem::path& file) {
+std::string whereBroken(const std::filesystem::path& file, bool onlyStrings) {
     const std::string text = readText(file);
     if (!damageOf(text).reason.empty()) return "";
     const vtkNew<vtkZLibDataCompressor> zlib;
-    return brokenArray(text, [&](const char* bytes, std::size_t n, std::size_t whole) -> std::optional<std::string> {
+    const auto unpack = [&](const char* bytes, std::size_t n, std::size_t whole) -> std::optional<std::string> {
         std::string room(whole, '\0');
-        if (zlib->Uncompress(reinterpret_cast<const unsigned char*>(bytes), n, reinterpret_cast<unsigned char*>(room.data()), whole) != whole)
-            return {};
+        auto* const to = reinterpret_cast<unsigned char*>(room.data());
+        if (zlib->Uncompress(reinterpret_cast<const unsigned char*>(bytes), n, to, whole) != whole) return {};
         return room;
-    });
+    };
+    const std::string array = brokenArray(text, unpack, onlyStrings);
+    return array.empty() ? "" : "array '" + array + "' is ";
 }
 
 }  // namespace
@@ -135,8 +137,8 @@ vtkSmartPointer<vtkUnstructuredGrid> readGrid(const std::filesystem::path& file)
     if (!std::filesystem::is_regular_file(file))
         throw UserError("cannot find file \"" + file.string() + "\"", {file.string(), 0});
     VtkErrors errors;
-    if (const auto array = whereBroken(file); !array.empty())  // VTK writes behind its memory when there are too many strings
-        fail("cannot read", file, "array '" + array + "' is truncated or corrupt");
+    if (const auto array = whereBroken(file, true); !array.empty())  // too many strings: VTK writes behind its memory
+        fail("cannot read", file, array + "truncated or corrupt");
     auto reader = vtkSmartPointer<vtkXMLUnstructuredGridReader>::New();
     reader->AddObserver(vtkCommand::ErrorEvent, errors.observer());
     reader->SetReaderErrorObserver(errors.observer());
@@ -148,7 +150,7 @@ vtkSmartPointer<vtkUnstructuredGrid> readGrid(const std::filesystem::path& file)
         fail("cannot read", file, std::string("truncated or corrupt (") + error.what() + ")");
     }
     if (!errors.message().empty() || reader->GetErrorCode() != vtkErrorCode::NoError)
-        fail("cannot read", file, "truncated or corrupt (" + errors.message() + ")");
+        fail("cannot read", file, whereBroken(file, false) + "truncated or corrupt (" + errors.message() + ")");
     vtkUnstructuredGrid* grid = reader->GetOutput();
     if (grid == nullptr || grid->GetPoints() == nullptr) fail("cannot read", file, "array 'Points' is missing");
     if (vtkCellArray* cells = grid->GetCells(); cells != nullptr)

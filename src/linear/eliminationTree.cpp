@@ -13,11 +13,14 @@ std::vector<int> parents(const LowerRows& A, int n) {
     std::vector<int> parent(n, -1), ancestor(n, -1);
     for (int i = 0; i < n; ++i)
         for (int s = A.start[i]; s < A.start[i + 1]; ++s)
-            for (int k = A.column[s]; k < i && k >= 0;) {
+            for (int k = A.column[s]; k < i;) {
                 const int next = ancestor[k];
-                ancestor[k] = i;
-                if (next < 0) parent[k] = i;
                 if (next == i) break;
+                ancestor[k] = i;
+                if (next < 0) {
+                    parent[k] = i;
+                    break;
+                }
                 k = next;
             }
     return parent;
@@ -97,32 +100,33 @@ std::vector<Group> groups(const std::vector<int>& parent, const std::vector<int>
     return done;
 }
 
-/// The entries of A as columns of the labels; those between unknowns that stay are left out.
-void takeEntries(const LowerRows& A, const std::vector<int>& label, int n, EliminationTree& tree) {
-    tree.start.assign(n + 1, 0);
+LabelledEntries labelledEntries(const LowerRows& A, const std::vector<int>& label, int n) {
+    LabelledEntries entries;
+    entries.start.assign(n + 1, 0);
     for (int i = 0; i < A.n; ++i)
         for (int s = A.start[i]; s < A.start[i + 1]; ++s) {
             const int low = std::min(label[i], label[A.column[s]]);
-            if (low < n) ++tree.start[low + 1];
+            if (low < n) ++entries.start[low + 1];
         }
-    std::partial_sum(tree.start.begin(), tree.start.end(), tree.start.begin());
-    tree.entryRow.resize(tree.start.back());
-    tree.value.resize(tree.start.back());
-    std::vector<int> next(tree.start.begin(), tree.start.end() - 1);
+    std::partial_sum(entries.start.begin(), entries.start.end(), entries.start.begin());
+    entries.row.resize(entries.start.back());
+    entries.value.resize(entries.start.back());
+    std::vector<int> next(entries.start.begin(), entries.start.end() - 1);
     for (int i = 0; i < A.n; ++i)
         for (int s = A.start[i]; s < A.start[i + 1]; ++s) {
             const auto [low, high] = std::minmax(label[i], label[A.column[s]]);
             if (low >= n) continue;
-            tree.entryRow[next[low]] = high;
-            tree.value[next[low]++] = A.value[s];
+            entries.row[next[low]] = high;
+            entries.value[next[low]++] = A.value[s];
         }
+    return entries;
 }
 
 /// What is below the columns of each front: its entries and the rows of its children.
-void takeRows(const std::vector<Group>& groups, int nLabels, EliminationTree& tree) {
+void takeRows(const std::vector<Group>& groups, const LabelledEntries& entries, EliminationTree& tree) {
     const int nFronts = static_cast<int>(groups.size());
     tree.fronts.resize(nFronts);
-    std::vector<int> frontOf(tree.start.size() - 1), mark(nLabels, -1), child(nFronts, -1), next(nFronts, -1);
+    std::vector<int> frontOf(entries.start.size() - 1), mark(tree.unknown.size(), -1), child(nFronts, -1), next(nFronts, -1);
     int total = 0;
     for (int f = 0; f < nFronts; ++f) {
         std::fill_n(frontOf.begin() + groups[f].first, groups[f].width, f);
@@ -140,7 +144,7 @@ void takeRows(const std::vector<Group>& groups, int nLabels, EliminationTree& tr
             mark[r] = f;
             tree.row.push_back(r);
         };
-        for (int s = tree.start[front.first]; s < tree.start[end]; ++s) take(tree.entryRow[s]);
+        for (int s = entries.start[front.first]; s < entries.start[end]; ++s) take(entries.row[s]);
         for (int c = child[f]; c >= 0; c = next[c]) {
             ++front.nChildren;
             for (int k = 0; k < tree.fronts[c].nRows; ++k) take(tree.row[tree.fronts[c].rows + k]);
@@ -156,11 +160,12 @@ void takeRows(const std::vector<Group>& groups, int nLabels, EliminationTree& tr
 
 }  // namespace
 
-EliminationTree eliminationTree(const LowerRows& A, int nLast) {
+EliminationPlan planElimination(const LowerRows& A, int nLast) {
     const int n = A.n - nLast;
     const auto parent = parents(A, n);
     const auto count = columnCounts(A, parent);
-    EliminationTree tree;
+    EliminationPlan plan;
+    EliminationTree& tree = plan.tree;
     tree.unknown = postOrder(parent);
     for (int i = n; i < A.n; ++i) tree.unknown.push_back(i);
     std::vector<int> label(A.n), parentLabel(n, -1), countOfLabel(n);
@@ -170,9 +175,9 @@ EliminationTree eliminationTree(const LowerRows& A, int nLast) {
         parentLabel[k] = up < 0 ? -1 : label[up];
         countOfLabel[k] = count[tree.unknown[k]];
     }
-    takeEntries(A, label, n, tree);
-    takeRows(groups(parentLabel, countOfLabel), A.n, tree);
-    return tree;
+    plan.entries = labelledEntries(A, label, n);
+    takeRows(groups(parentLabel, countOfLabel), plan.entries, tree);
+    return plan;
 }
 
 }  // namespace pfem

@@ -40,7 +40,9 @@ private:
 }  // namespace
 
 void Multifrontal::factorize(const LowerRows& A, int nLast) {
-    tree_ = eliminationTree(A, nLast);
+    EliminationPlan plan = planElimination(A, nLast);
+    const LabelledEntries& entries = plan.entries;
+    tree_ = std::move(plan.tree);
     const int n = A.n - nLast;
     start_.assign(1, 0);
     for (const Front& front : tree_.fronts)
@@ -59,8 +61,8 @@ void Multifrontal::factorize(const LowerRows& A, int nLast) {
         for (int k = 0; k < width; ++k) place[front.first + k] = k;
         for (int k = 0; k < r; ++k) place[rows[k]] = width + k;
         for (int k = 0; k < width; ++k)
-            for (int s = tree_.start[front.first + k]; s < tree_.start[front.first + k + 1]; ++s)
-                F[static_cast<std::size_t>(k) * m + place[tree_.entryRow[s]]] += tree_.value[s];
+            for (int s = entries.start[front.first + k]; s < entries.start[front.first + k + 1]; ++s)
+                F[static_cast<std::size_t>(k) * m + place[entries.row[s]]] += entries.value[s];
         for (int c = 0; c < front.nChildren; ++c) {
             const Front& child = tree_.fronts[remainders.front()];
             const int* const rowsOfChild = tree_.rowsOf(child);

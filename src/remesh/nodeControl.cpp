@@ -28,11 +28,9 @@ public:
         const double close = std::max(controls.removeDistance, controls.removeDistanceSurface);
         forEach(static_cast<int>(moved.x.size()), [&](int i) {  // most nodes need no second look
             for (int s = ring_.start[i]; s < ring_.start[i + 1]; ++s) {
-                const int j = ring_.node[s];
-                const double size = 0.5 * (h_[i] + h_[j]);
-                const double squared = (moved_.x[i] - moved_.x[j]).squaredNorm() / (size * size);
-                near_[i] |= squared < 1.01 * close * close;
-                long_[i] |= j > i && squared > 0.99 * controls.insertDistance * controls.insertDistance;
+                const double distance = distanceTo(ring_.node[s], moved_.x[i], h_[i]);
+                near_[i] |= distance < close;
+                long_[i] |= distance >= controls.insertDistance;
             }
         });
     }
@@ -94,9 +92,12 @@ private:
         return false;
     }
 
+    /// From node j to a node at x of mesh size h, in units of their mean mesh size.
+    double distanceTo(int j, const Vec<Dim>& x, double h) const { return (moved_.x[j] - x).norm() / (0.5 * (h_[j] + h)); }
+
     /// Is node j too close to a node at x of mesh size h? One of the surface gives way to nodes of the boundary alone.
     bool crowds(int j, const Vec<Dim>& x, double h, bool surface) const {
-        const double distance = (moved_.x[j] - x).norm() / (0.5 * (h_[j] + h));
+        const double distance = distanceTo(j, x, h);
         if (!surface) return distance < controls_.removeDistance;
         const bool boundary = moved_.topology.freeSurface[j] || moved_.topology.onWall[j] || kept_[j];
         return boundary && distance < controls_.removeDistanceSurface;
@@ -107,7 +108,7 @@ private:
             for (int s = ring_.start[i]; long_[i] && s < ring_.start[i + 1]; ++s) {
                 const int j = ring_.node[s];
                 if (j < i || locked_[i] || locked_[j]) continue;
-                if ((moved_.x[i] - moved_.x[j]).norm() < controls_.insertDistance * 0.5 * (h_[i] + h_[j])) continue;
+                if (distanceTo(j, moved_.x[i], h_[i]) < controls_.insertDistance) continue;
                 if (kept_[i] && kept_[j] && isBoundaryEdge(i, j)) continue;
                 if (wouldGoAgain(i, j)) continue;
                 plan_.inserted.push_back({i, j});
@@ -180,8 +181,8 @@ private:
     const std::vector<unsigned char>& kept_;
     const NodeToNodes& ring_;
     std::vector<unsigned char> locked_;
-    std::vector<unsigned char> near_;  // a neighbour is about as close as for a removal
-    std::vector<unsigned char> long_;  // an edge to a later node is about as long as for an insertion
+    std::vector<unsigned char> near_;  // to a neighbour: such a node may have to go
+    std::vector<unsigned char> long_;  // the end of an edge that may get a node
     NodePlan<Dim> plan_;
 };
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -74,19 +73,19 @@ void checkWalls(const Topology<2>& topology, const Points<2>& xOld, const State<
     for (const auto& patch : next.mesh.patches)
         for (const auto& face : patch.faces)
             for (int i : face) held[i] = 1;
+    std::vector<std::pair<Face<2>, const std::string*>> walls;  // and the names of their patches
     std::size_t w = 0;
     for (const auto& patch : next.mesh.patches)
-        for (const auto& face : patch.faces) {
-            if (topology.walls[w++].patch < 0) continue;
-            std::vector<unsigned char> through(next.nodes.id.size(), 0);
-            forEach(next.nodes.size(), [&](int i) {
-                through[i] = next.nodes.wall[i] < 0 && !held[i] &&
-                             crossed(face, xOld, next.nodes.x, xOld[i], next.nodes.x[i], 0.01 * next.nodes.h[i]);
-            });
-            const auto first = std::find(through.begin(), through.end(), 1);
-            if (first != through.end())
-                fail<2>(next.nodes, static_cast<int>(first - through.begin()), "went through the wall '" + patch.name + "'");
-        }
+        for (const auto& face : patch.faces)
+            if (topology.walls[w++].patch >= 0) walls.emplace_back(face, &patch.name);
+    std::vector<const std::string*> through(next.nodes.id.size(), nullptr);
+    forEach(next.nodes.size(), [&](int i) {
+        if (next.nodes.wall[i] >= 0 || held[i]) return;
+        for (const auto& [face, name] : walls)
+            if (crossed(face, xOld, next.nodes.x, xOld[i], next.nodes.x[i], 0.01 * next.nodes.h[i])) through[i] = name;
+    });
+    for (int i = 0; i < next.nodes.size(); ++i)
+        if (through[i] != nullptr) fail<2>(next.nodes, i, "went through the wall '" + *through[i] + "'");
 }
 
 /// Nodes that went through a solid. Only one that moves farther than half of the solid's mesh size can do so unseen:
