@@ -183,42 +183,32 @@ void addFreeSurface(SymmetricMatrix& A, const Problem<Dim>& problem, const Conti
     }
 }
 
-/// Part of each node, of those listed: slabs across the axis along which the fewest neighbours are parted.
+/// Where each unknown is: at its node.
 template <int Dim>
-std::vector<int> partsOfNodes(const NodeToNodes& ring, const Points<Dim>& x, const std::vector<int>& nodes, int nParts) {
-    Points<Dim> place;
-    for (int node : nodes) place.push_back(x[node]);
-    std::vector<int> best;
-    std::size_t fewest = 0;
-    for (int axis = 0; axis < Dim; ++axis) {
-        std::vector<int> part(x.size(), 0);
-        const auto slab = slabs<Dim>(place, nParts, axis);
-        for (std::size_t k = 0; k < nodes.size(); ++k) part[nodes[k]] = slab[k];
-        std::size_t parted = 0;
-        for (int node : nodes)
-            for (int s = ring.start[node]; s < ring.start[node + 1]; ++s) parted += part[ring.node[s]] != part[node];
-        if (axis > 0 && parted >= fewest) continue;
-        fewest = parted;
-        best = std::move(part);
+Places<Dim> placesOfUnknowns(const Points<Dim>& x, const Unknowns& u, const SolidDofs<Dim>& dofs) {
+    Places<Dim> place(u.n);
+    for (int i = 0; i < static_cast<int>(x.size()); ++i) {
+        if (u.pressure[i] >= 0) place[u.pressure[i]] = x[i];
+        forVelocities<Dim>(u, dofs, i, [&](int unknown, const Vec<Dim>&) { place[unknown] = x[i]; });
     }
-    return best;
+    return place;
 }
 
-/// Part of each unknown: that of its node.
+/// Slabs of equal numbers of unknowns, across the axis along which the fewest of those that meet are parted.
 template <int Dim>
-std::vector<int> partsOfUnknowns(const Topology<Dim>& topology, const Points<Dim>& x, const Unknowns& u,
-                                 const SolidDofs<Dim>& dofs, int nParts) {
-    std::vector<int> result(u.n, 0);
-    if (nParts < 2) return result;
-    std::vector<int> nodes;
-    for (int i = 0; i < topology.nNodes(); ++i)
-        if (u.pressure[i] >= 0 || nVelocities<Dim>(u, dofs, i) > 0) nodes.push_back(i);
-    const auto part = partsOfNodes<Dim>(topology.ring, x, nodes, nParts);
-    for (int node : nodes) {
-        if (u.pressure[node] >= 0) result[u.pressure[node]] = part[node];
-        forVelocities<Dim>(u, dofs, node, [&](int unknown, const Vec<Dim>&) { result[unknown] = part[node]; });
+std::vector<int> partsOfUnknowns(const SymmetricMatrix& A, const Places<Dim>& place, int nParts) {
+    if (nParts < 2) return std::vector<int>(A.n, 0);
+    std::array<std::vector<int>, Dim> part;
+    std::array<int, Dim> parted{};
+#pragma omp parallel for schedule(static, 1)
+    for (int axis = 0; axis < Dim; ++axis) {
+        part[axis] = slabs<Dim>(place, nParts, axis);
+        int count = 0;
+        for (int j = 0; j < A.n; ++j)
+            for (int s = A.start[j]; s < A.start[j + 1]; ++s) count += part[axis][A.row[s]] != part[axis][j];
+        parted[axis] = count;
     }
-    return result;
+    return part[std::min_element(parted.begin(), parted.end()) - parted.begin()];
 }
 
 /// As many as pay: each has an ordering and a factor of its own, and what lies between them grows.
@@ -249,7 +239,8 @@ ContinuitySystem<Dim>::ContinuitySystem(const Problem<Dim>& problem, const Conti
     if (!strong) addFreeSurface<Dim>(A, problem, controls, cells, topology, patches, tau, x, u, newmark);
 
     const int parts = nParts(u.n);
-    factor_.factorize(A, partsOfUnknowns<Dim>(topology, x, u, dofs, parts), parts);
+    const auto place = placesOfUnknowns<Dim>(x, u, dofs);
+    factor_.factorize<Dim>(A, place, partsOfUnknowns<Dim>(A, place, parts), parts);
 }
 
 template <int Dim>

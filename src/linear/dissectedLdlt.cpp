@@ -5,7 +5,7 @@
 
 #include "base/error.hpp"
 #include "linear/denseFront.hpp"
-#include "linear/minimumDegree.hpp"
+#include "linear/nestedDissection.hpp"
 
 namespace pfem {
 
@@ -46,10 +46,10 @@ MatrixGraph interiorGraph(const SymmetricMatrix& A, const std::vector<int>& inte
     return graph;
 }
 
-/// [A_ff A_fl; A_lf 0] of one part; appends to `shared` the places it meets. `place` per unknown:
+/// [A_ff A_fl; A_lf 0] of one part by columns; appends to `shared` the places it meets. `place` per unknown:
 /// its index in the part, or -2 - its place among the shared ones, or -1 for those of other parts.
-LowerRows partRows(const SymmetricMatrix& A, const std::vector<int>& interior, const std::vector<int>& place,
-                   const std::vector<int>& sharedUnknown, std::vector<int>& shared) {
+LowerColumns partColumns(const SymmetricMatrix& A, const std::vector<int>& interior, const std::vector<int>& place,
+                         const std::vector<int>& sharedUnknown, std::vector<int>& shared) {
     const int n = static_cast<int>(interior.size());
     std::vector<int> last(sharedUnknown.size(), -1);
     const auto lastIndex = [&](int k) {
@@ -72,20 +72,18 @@ LowerRows partRows(const SymmetricMatrix& A, const std::vector<int>& interior, c
             for (int s = A.start[sharedUnknown[k]] + 1; s < A.start[sharedUnknown[k] + 1]; ++s)
                 if (place[A.row[s]] >= 0) visit(lastIndex(static_cast<int>(k)), place[A.row[s]], A.value[s]);
     };
-    LowerRows M;
-    M.start.assign(n + sharedUnknown.size() + 1, 0);
-    forEntries([&](int row, int, double) { ++M.start[row + 1]; });
+    LowerColumns M;
+    M.start.assign(n + 1, 0);
+    forEntries([&](int, int column, double) { ++M.start[column + 1]; });
     M.n = n + static_cast<int>(shared.size());
-    M.start.resize(M.n + 1);
-    for (int i = 0; i < M.n; ++i) M.start[i + 1] += M.start[i];
-    M.column.resize(M.start[M.n]);
-    M.value.resize(M.start[M.n]);
+    for (int j = 0; j < n; ++j) M.start[j + 1] += M.start[j];
+    M.row.resize(M.start[n]);
+    M.value.resize(M.start[n]);
     std::vector<int> next(M.start.begin(), M.start.end() - 1);
-    const auto put = [&](int row, int column, double value) {
-        M.column[next[row]] = column;
-        M.value[next[row]++] = value;
-    };
-    forEntries(put);
+    forEntries([&](int row, int column, double value) {
+        M.row[next[column]] = row;
+        M.value[next[column]++] = value;
+    });
     return M;
 }
 
@@ -107,7 +105,9 @@ void forAll(int n, const Work& work) {
 
 }  // namespace
 
-void DissectedLdlt::factorize(const SymmetricMatrix& A, const std::vector<int>& part, int nParts) {
+template <int Dim>
+void DissectedLdlt::factorize(const SymmetricMatrix& A, const Places<Dim>& where, const std::vector<int>& part,
+                              int nParts) {
     shared_.clear();
     parts_.clear();
     parts_.resize(nParts);
@@ -126,12 +126,15 @@ void DissectedLdlt::factorize(const SymmetricMatrix& A, const std::vector<int>& 
         if (own.interior.empty()) return;
         std::vector<int> place = placeShared;
         for (std::size_t f = 0; f < own.interior.size(); ++f) place[own.interior[f]] = static_cast<int>(f);
-        std::vector<int> order = minimumDegree(interiorGraph(A, own.interior, place));
+        Places<Dim> ofInterior;
+        ofInterior.reserve(own.interior.size());
+        for (int f : own.interior) ofInterior.push_back(where[f]);
+        auto [order, pieces] = nestedDissection<Dim>(interiorGraph(A, own.interior, place), ofInterior);
         for (int& f : order) f = own.interior[f];
         own.interior = std::move(order);
         for (std::size_t f = 0; f < own.interior.size(); ++f) place[own.interior[f]] = static_cast<int>(f);
-        const LowerRows M = partRows(A, own.interior, place, shared_, own.shared);
-        own.factor.factorize(M, static_cast<int>(own.shared.size()));
+        const LowerColumns M = partColumns(A, own.interior, place, shared_, own.shared);
+        own.factor.factorize(M, pieces);
     });
     if (shared_.empty()) return;
 
@@ -190,7 +193,7 @@ Eigen::VectorXd DissectedLdlt::solve(const Eigen::VectorXd& b) const {
 }
 
 template <int Dim>
-std::vector<int> slabs(const std::vector<Eigen::Matrix<double, Dim, 1>>& place, int nParts, int axis) {
+std::vector<int> slabs(const Places<Dim>& place, int nParts, int axis) {
     std::vector<int> part(place.size(), 0);
     if (place.empty() || nParts < 2) return part;
     std::vector<double> sorted;
@@ -206,7 +209,11 @@ std::vector<int> slabs(const std::vector<Eigen::Matrix<double, Dim, 1>>& place, 
     return part;
 }
 
-template std::vector<int> slabs<2>(const std::vector<Eigen::Matrix<double, 2, 1>>&, int, int);
-template std::vector<int> slabs<3>(const std::vector<Eigen::Matrix<double, 3, 1>>&, int, int);
+#define PFEM_INSTANTIATE(D)                                                                             \
+    template void DissectedLdlt::factorize<D>(const SymmetricMatrix&, const Places<D>&,                 \
+                                              const std::vector<int>&, int);                            \
+    template std::vector<int> slabs<D>(const Places<D>&, int, int);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "linear/multifrontal.hpp"
+#include "linear/symmetricMatrix.hpp"
 
 namespace pfem {
 
@@ -11,8 +12,9 @@ namespace pfem {
 /// are factored and solved at the same time; the bits do not depend on the number of threads.
 class DissectedLdlt {
 public:
-    /// `part`: a number 0 ... nParts-1 for each unknown. Throws StepFailure when a pivot vanishes or is not finite.
-    void factorize(const SymmetricMatrix& A, const std::vector<int>& part, int nParts);
+    /// `where` each unknown is, which gives the order of elimination; `part`: a number 0 ... nParts-1 for each. Throws StepFailure when a pivot vanishes or is not finite.
+    template <int Dim>
+    void factorize(const SymmetricMatrix& A, const Places<Dim>& where, const std::vector<int>& part, int nParts);
 
     Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 
@@ -30,6 +32,6 @@ private:
 
 /// Part of each place when all are cut into nParts of about equal number, perpendicular to the axis.
 template <int Dim>
-std::vector<int> slabs(const std::vector<Eigen::Matrix<double, Dim, 1>>& place, int nParts, int axis);
+std::vector<int> slabs(const Places<Dim>& place, int nParts, int axis);
 
 }  // namespace pfem

@@ -9,7 +9,7 @@ namespace pfem {
 
 namespace {
 
-/// What fronts leave to their parents, in the order of the tree: r x r lower triangles, the latest on top.
+/// What fronts leave to their parents, in the order of the fronts: r x r lower triangles, the latest on top.
 class Remainders {
 public:
     /// Room for r x r zeros that is not yet on the stack.
@@ -39,33 +39,31 @@ private:
 
 }  // namespace
 
-void Multifrontal::factorize(const LowerRows& A, int nLast) {
-    EliminationPlan plan = planElimination(A, nLast);
-    const LabelledEntries& entries = plan.entries;
-    tree_ = std::move(plan.tree);
-    const int n = A.n - nLast;
+void Multifrontal::factorize(const LowerColumns& A, const std::vector<Piece>& pieces) {
+    fronts_ = makeFronts(A, pieces);
+    const int n = A.nColumns(), nLast = A.n - n;
     start_.assign(1, 0);
-    for (const Front& front : tree_.fronts)
+    for (const Front& front : fronts_.front)
         start_.push_back(start_.back() + static_cast<std::size_t>(front.width) * (front.width + front.nRows));
     values_.assign(start_.back(), 0.0);
     lastBlock_ = Eigen::MatrixXd::Zero(nLast, nLast);
 
     Remainders remainders;
     std::vector<int> place(A.n);  // of a label in the present front
-    for (std::size_t f = 0; f < tree_.fronts.size(); ++f) {
-        const Front& front = tree_.fronts[f];
-        const int* const rows = tree_.rowsOf(front);
+    for (std::size_t f = 0; f < fronts_.front.size(); ++f) {
+        const Front& front = fronts_.front[f];
+        const int* const rows = fronts_.rowsOf(front);
         const int width = front.width, r = front.nRows, m = width + r;
         double* const F = values_.data() + start_[f];
         double* const U = remainders.fresh(r);
         for (int k = 0; k < width; ++k) place[front.first + k] = k;
         for (int k = 0; k < r; ++k) place[rows[k]] = width + k;
         for (int k = 0; k < width; ++k)
-            for (int s = entries.start[front.first + k]; s < entries.start[front.first + k + 1]; ++s)
-                F[static_cast<std::size_t>(k) * m + place[entries.row[s]]] += entries.value[s];
+            for (int s = A.start[front.first + k]; s < A.start[front.first + k + 1]; ++s)
+                F[static_cast<std::size_t>(k) * m + place[A.row[s]]] += A.value[s];
         for (int c = 0; c < front.nChildren; ++c) {
-            const Front& child = tree_.fronts[remainders.front()];
-            const int* const rowsOfChild = tree_.rowsOf(child);
+            const Front& child = fronts_.front[remainders.front()];
+            const int* const rowsOfChild = fronts_.rowsOf(child);
             const double* source = remainders.top(child.nRows);
             for (int a = 0; a < child.nRows; ++a, source += child.nRows) {
                 const int at = place[rowsOfChild[a]];
@@ -89,15 +87,14 @@ void Multifrontal::factorize(const LowerRows& A, int nLast) {
 }
 
 void Multifrontal::eliminate(Eigen::VectorXd& b) const {
-    std::vector<double> w(b.size());
-    for (std::size_t k = 0; k < w.size(); ++k) w[k] = b[tree_.unknown[k]];
+    double* const w = b.data();
     std::vector<double> below;
-    for (std::size_t f = 0; f < tree_.fronts.size(); ++f) {
-        const Front& front = tree_.fronts[f];
-        const int* const rows = tree_.rowsOf(front);
+    for (std::size_t f = 0; f < fronts_.front.size(); ++f) {
+        const Front& front = fronts_.front[f];
+        const int* const rows = fronts_.rowsOf(front);
         const int width = front.width, r = front.nRows, m = width + r;
         const double* column = values_.data() + start_[f];
-        double* const own = w.data() + front.first;
+        double* const own = w + front.first;
         below.assign(r, 0.0);
         for (int k = 0; k < width; ++k, column += m) {
             const double y = own[k];
@@ -106,19 +103,17 @@ void Multifrontal::eliminate(Eigen::VectorXd& b) const {
         }
         for (int i = 0; i < r; ++i) w[rows[i]] -= below[i];
     }
-    for (std::size_t k = 0; k < w.size(); ++k) b[tree_.unknown[k]] = w[k];
 }
 
 void Multifrontal::backSubstitute(Eigen::VectorXd& x) const {
-    std::vector<double> w(x.size());
-    for (std::size_t k = 0; k < w.size(); ++k) w[k] = x[tree_.unknown[k]];
+    double* const w = x.data();
     std::vector<double> below;
-    for (std::size_t f = tree_.fronts.size(); f-- > 0;) {
-        const Front& front = tree_.fronts[f];
-        const int* const rows = tree_.rowsOf(front);
+    for (std::size_t f = fronts_.front.size(); f-- > 0;) {
+        const Front& front = fronts_.front[f];
+        const int* const rows = fronts_.rowsOf(front);
         const int width = front.width, r = front.nRows, m = width + r;
         const double* const block = values_.data() + start_[f];
-        double* const own = w.data() + front.first;
+        double* const own = w + front.first;
         below.resize(r);
         for (int i = 0; i < r; ++i) below[i] = w[rows[i]];
         for (int k = width - 1; k >= 0; --k) {
@@ -129,7 +124,6 @@ void Multifrontal::backSubstitute(Eigen::VectorXd& x) const {
             own[k] = own[k] / column[k] - sum;
         }
     }
-    for (std::size_t k = 0; k < w.size(); ++k) x[tree_.unknown[k]] = w[k];
 }
 
 }  // namespace pfem

@@ -4,17 +4,17 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "linear/eliminationTree.hpp"
+#include "linear/fronts.hpp"
 
 namespace pfem {
 
-/// A = P^T L D L^T P without pivoting, multifrontal: each front takes up what its children leave, eliminates its
+/// A = L D L^T without pivoting, multifrontal: each front takes up what its children leave, eliminates its
 /// columns and leaves the rest. The last unknowns can stay: what remains of them is their Schur complement.
 class Multifrontal {
 public:
-    /// Factor all but the last nLast unknowns. Unknowns come in an order with little fill. Entries between the last
-    /// ones are not looked at. Throws StepFailure when a pivot vanishes or is not finite.
-    void factorize(const LowerRows& A, int nLast = 0);
+    /// Factor the unknowns that have columns, piece by piece. Entries between the last ones are not looked at. Throws
+    /// StepFailure when a pivot vanishes or is not finite.
+    void factorize(const LowerColumns& A, const std::vector<Piece>& pieces);
 
     /// -A_lf A_ff^{-1} A_fl of the last unknowns, nLast x nLast.
     const Eigen::MatrixXd& lastBlock() const { return lastBlock_; }
@@ -26,7 +26,7 @@ public:
     void backSubstitute(Eigen::VectorXd& x) const;
 
 private:
-    EliminationTree tree_;
+    Fronts fronts_;
     std::vector<std::size_t> start_;  // of each front's block in values_
     std::vector<double> values_;      // by columns: D and L of the front's columns, then the rows below
     Eigen::MatrixXd lastBlock_;

@@ -22,14 +22,6 @@ struct SymmetricMatrix {
     Eigen::VectorXd multiply(const Eigen::VectorXd& x) const;
 };
 
-/// The lower triangle by rows, diagonal included, columns in any order.
-struct LowerRows {
-    int n = 0;
-    std::vector<int> start;  // n + 1
-    std::vector<int> column;
-    std::vector<double> value;
-};
-
 /// The pattern from the sorted lower rows of each column (each without the diagonal), values zero.
 SymmetricMatrix symmetricPattern(const std::vector<std::vector<int>>& lowerRows);
 

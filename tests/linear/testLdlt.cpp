@@ -2,7 +2,7 @@
 
 #include "linear/dissectedLdlt.hpp"
 #include "linear/ldlt.hpp"
-#include "linear/minimumDegree.hpp"
+#include "linear/nestedDissection.hpp"
 
 #include <gtest/gtest.h>
 
@@ -79,25 +79,37 @@ TEST(Ldlt, newValuesOnTheSamePattern) {
     EXPECT_LT((2 * q.dense * factor.solve(b) - b).norm(), 1e-12);
 }
 
+/// The first columns of the lower triangle; rows in any order will do.
+LowerColumns lowerColumns(const Eigen::MatrixXd& A, int nColumns) {
+    LowerColumns columns;
+    columns.n = static_cast<int>(A.rows());
+    columns.start.push_back(0);
+    for (int j = 0; j < nColumns; ++j) {
+        for (int i = columns.n - 1; i >= j; --i) {
+            if (A(i, j) == 0) continue;
+            columns.row.push_back(i);
+            columns.value.push_back(A(i, j));
+        }
+        columns.start.push_back(static_cast<int>(columns.row.size()));
+    }
+    return columns;
+}
+
+/// A chain of pieces, each parted from the next by nothing.
+std::vector<Piece> pieces(int n, int width) {
+    std::vector<Piece> chain;
+    for (int first = 0; first < n; first += width) chain.push_back({first, std::min(width, n - first), first > 0 ? 1 : 0});
+    return chain;
+}
+
 class MultifrontalLast : public testing::TestWithParam<int> {};
 
 TEST_P(MultifrontalLast, unknownsAreTheSchurComplement) {
     const int nLast = GetParam();
     const auto q = quasiDefinite(30, 20, 8);
     const int n = q.A.n, nFirst = n - nLast;
-    LowerRows rows;
-    rows.n = n;
-    rows.start.push_back(0);
-    for (int i = 0; i < n; ++i) {
-        for (int j = i; j >= 0; --j) {  // any order will do
-            if (q.dense(i, j) == 0) continue;
-            rows.column.push_back(j);
-            rows.value.push_back(q.dense(i, j));
-        }
-        rows.start.push_back(static_cast<int>(rows.column.size()));
-    }
     Multifrontal factor;
-    factor.factorize(rows, nLast);
+    factor.factorize(lowerColumns(q.dense, nFirst), pieces(nFirst, 3));
     const Eigen::MatrixXd Aff = q.dense.topLeftCorner(nFirst, nFirst);
     const Eigen::MatrixXd Alf = q.dense.bottomLeftCorner(nLast, nFirst);
     const Eigen::MatrixXd exact = q.dense.bottomRightCorner(nLast, nLast) - Alf * Aff.fullPivLu().solve(Alf.transpose());
@@ -116,6 +128,9 @@ INSTANTIATE_TEST_SUITE_P(Few, MultifrontalLast, testing::Values(0, 1, 7, 49));
 /// An arrow, a chain, and pieces that do not meet: trees with one long branch, with many leaves, and forests.
 TEST(Multifrontal, treesOfAllShapes) {
     const int n = 40;
+    std::vector<Piece> leaves;
+    for (int first = 0; first < 35; first += 5) leaves.push_back({first, 5, 0});
+    leaves.push_back({35, 5, 7});
     for (const std::string shape : {"arrow", "chain", "apart", "full"}) {
         Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(n, n);
         for (int i = 0; i < n; ++i) {
@@ -125,19 +140,8 @@ TEST(Multifrontal, treesOfAllShapes) {
                     (shape == "apart" && i / 5 == j / 5) || shape == "full")
                     dense(i, j) = dense(j, i) = std::sin(i + 3.0 * j);
         }
-        LowerRows rows;
-        rows.n = n;
-        rows.start.push_back(0);
-        for (int i = 0; i < n; ++i) {
-            for (int j = 0; j <= i; ++j)
-                if (dense(i, j) != 0) {
-                    rows.column.push_back(j);
-                    rows.value.push_back(dense(i, j));
-                }
-            rows.start.push_back(static_cast<int>(rows.column.size()));
-        }
         Multifrontal factor;
-        factor.factorize(rows);
+        factor.factorize(lowerColumns(dense, n), shape == "apart" || shape == "arrow" ? leaves : pieces(n, 4));
         const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(n, -1, 2);
         Eigen::VectorXd x = b;
         factor.eliminate(x);
@@ -147,14 +151,11 @@ TEST(Multifrontal, treesOfAllShapes) {
 }
 
 TEST(Multifrontal, noPivotNoFactor) {
-    LowerRows rows;
-    rows.n = 2;
-    rows.start = {0, 1, 3};
-    rows.column = {0, 0, 1};
-    rows.value = {1, 2, 4};  // [1 2; 2 4] is singular
-    EXPECT_THROW(Multifrontal().factorize(rows), StepFailure);
-    rows.value = {std::nan(""), 2, 4};
-    EXPECT_THROW(Multifrontal().factorize(rows), StepFailure);
+    LowerColumns A{2, {0, 2, 3}, {0, 1, 1}, {1, 2, 4}};  // [1 2; 2 4] is singular
+    EXPECT_THROW(Multifrontal().factorize(A, {{0, 2, 0}}), StepFailure);
+    EXPECT_THROW(Multifrontal().factorize(A, {{0, 1, 0}, {1, 1, 1}}), StepFailure);
+    A.value = {std::nan(""), 2, 4};
+    EXPECT_THROW(Multifrontal().factorize(A, {{0, 2, 0}}), StepFailure);
 }
 
 TEST(DissectedLdlt, anyPartsGiveTheSolution) {
@@ -165,7 +166,7 @@ TEST(DissectedLdlt, anyPartsGiveTheSolution) {
         const auto part = slabs<2>(place, nParts, 1);
         for (int p = 0; p < nParts; ++p) EXPECT_NEAR(std::count(part.begin(), part.end(), p), 50.0 / nParts, 1);
         DissectedLdlt factor;
-        factor.factorize(q.A, part, nParts);
+        factor.factorize<2>(q.A, place, part, nParts);
         const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(50, -1, 2);
         EXPECT_LT((q.dense * factor.solve(b) - b).norm(), 1e-11) << nParts;
     }
@@ -176,9 +177,10 @@ TEST(DissectedLdlt, apartAndEmptyParts) {
     for (int i = 0; i < 4; ++i) A.add(i, i, 2);
     A.add(0, 1, 1);
     A.add(2, 3, -1);
+    const Places<2> place{{0, 0}, {1, 0}, {2, 0}, {3, 1}};
     for (const auto& part : {std::vector<int>{0, 0, 1, 1}, {1, 1, 1, 1}, {0, 1, 0, 1}}) {
         DissectedLdlt factor;
-        factor.factorize(A, part, 2);
+        factor.factorize<2>(A, place, part, 2);
         const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(4, 1, 4);
         EXPECT_LT((A.multiply(factor.solve(b)) - b).norm(), 1e-13);
     }
@@ -203,8 +205,8 @@ int fill(const MatrixGraph& graph, const std::vector<int>& order) {
     return entries;
 }
 
-TEST(MinimumDegree, littleFillOnASquare) {
-    const int m = 40;  // m x m places, neighbours along both axes and one diagonal: a mesh of triangles
+/// m x m places, neighbours along both axes and one diagonal: a mesh of triangles.
+MatrixGraph squareOfTriangles(int m) {
     MatrixGraph graph;
     graph.start.push_back(0);
     for (int i = 0; i < m * m; ++i) {
@@ -213,14 +215,54 @@ TEST(MinimumDegree, littleFillOnASquare) {
             if (x + dx >= 0 && x + dx < m && y + dy >= 0 && y + dy < m) graph.neighbour.push_back(i + dx + m * dy);
         graph.start.push_back(static_cast<int>(graph.neighbour.size()));
     }
-    const auto order = minimumDegree(graph);
+    return graph;
+}
+
+TEST(NestedDissection, littleFillOnASquare) {
+    const int m = 40;
+    const MatrixGraph graph = squareOfTriangles(m);
+    Places<2> place;
+    for (int i = 0; i < m * m; ++i) place.push_back({i % m, i / m});  // many are equally far along
+    const auto order = nestedDissection<2>(graph, place).order;
     auto sorted = order;
     std::sort(sorted.begin(), sorted.end());
     for (int i = 0; i < m * m; ++i) ASSERT_EQ(sorted[i], i);  // each once
     std::vector<int> rowByRow(m * m);
     std::iota(rowByRow.begin(), rowByRow.end(), 0);
     EXPECT_LT(fill(graph, order), 0.6 * fill(graph, rowByRow));
-    EXPECT_LT(fill(graph, order), 24 * m * m);  // nested dissection: 20
+    EXPECT_LT(fill(graph, order), 24 * m * m);
+}
+
+/// What a piece parts does not meet: an entry leads from a piece only to those that part it, or into itself.
+TEST(NestedDissection, piecesMeetOnlyThoseThatPartThem) {
+    for (const double wave : {0.0, 0.7}) {  // straight, and places without any order
+        const int m = 25;
+        const MatrixGraph graph = squareOfTriangles(m);
+        Places<2> place;
+        for (int i = 0; i < m * m; ++i)
+            place.push_back({i % m + wave * std::sin(37.0 * i), (wave > 0 ? 3 : 1) * (i / m + wave * std::cos(11.0 * i))});
+        const auto [order, pieces] = nestedDissection<2>(graph, place);
+        std::vector<int> pieceOf(m * m), parent(pieces.size(), -1), stack;
+        int columns = 0;
+        for (int p = 0; p < static_cast<int>(pieces.size()); ++p) {
+            EXPECT_EQ(pieces[p].first, columns);
+            columns += pieces[p].width;
+            for (int k = 0; k < pieces[p].width; ++k) pieceOf[order[pieces[p].first + k]] = p;
+            for (int c = 0; c < pieces[p].nChildren; ++c, stack.pop_back()) parent[stack.back()] = p;
+            stack.push_back(p);
+        }
+        EXPECT_EQ(columns, m * m);
+        EXPECT_EQ(stack.size(), 1u);
+        EXPECT_GT(pieces.size(), 60u);
+        EXPECT_LE(pieces.back().width, m + 2);  // the first cut
+        for (int i = 0; i < m * m; ++i)
+            for (int s = graph.start[i]; s < graph.start[i + 1]; ++s) {
+                const int other = pieceOf[graph.neighbour[s]];
+                int p = pieceOf[i];
+                while (p >= 0 && p < other) p = parent[p];
+                EXPECT_TRUE(p == other || other < pieceOf[i]) << i;
+            }
+    }
 }
 
 TEST(Ldlt, singularMatrixFailsTheStep) {
