@@ -8,6 +8,9 @@
 #include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
 
+#include <algorithm>
+#include <numeric>
+
 #include "base/error.hpp"
 
 namespace pfem {
@@ -98,18 +101,23 @@ bool insertWished(Cdt& cdt, const Handles& handle, const std::vector<Face<2>>& f
     return true;
 }
 
-Triangulation<2> copyCells(Cdt& cdt) {
+/// In the order of the cells' first nodes, so that what lies together in the plane lies together in memory.
+Triangulation<2> copyCells(Cdt& cdt, std::size_t nPoints) {
+    const auto firstNode = [](Cdt::Face_handle face) {
+        return std::min({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
+    };
+    std::vector<int> next(nPoints + 1, 0);
+    for (const auto face : cdt.finite_face_handles()) ++next[firstNode(face) + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
     Triangulation<2> result;
-    int count = 0;
-    for (auto face = cdt.all_faces_begin(); face != cdt.all_faces_end(); ++face)
-        face->info() = cdt.is_infinite(face) ? -1 : count++;
-    result.cells.reserve(count);
-    result.neighbours.reserve(count);
-    for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face) {
-        result.cells.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
-        result.neighbours.push_back(
-            {face->neighbor(0)->info(), face->neighbor(1)->info(), face->neighbor(2)->info()});
-    }
+    result.cells.resize(next.back());
+    result.neighbours.resize(next.back());
+    for (const auto face : cdt.all_face_handles()) face->info() = cdt.is_infinite(face) ? -1 : next[firstNode(face)]++;
+    for (const auto face : cdt.finite_face_handles())
+        for (int k = 0; k < 3; ++k) {
+            result.cells[face->info()][k] = face->vertex(k)->info();
+            result.neighbours[face->info()][k] = face->neighbor(k)->info();
+        }
     return result;
 }
 
@@ -121,7 +129,7 @@ Triangulation<2> constrainedDelaunay(const Points<2>& points, const std::vector<
     const Handles handle = insertPoints(cdt, points, active);
     insertFixed(cdt, handle, fixed);
     if (!insertWished(cdt, handle, wished)) return constrainedDelaunay(points, active, fixed, {});
-    return copyCells(cdt);
+    return copyCells(cdt, points.size());
 }
 
 }  // namespace pfem
