@@ -35,10 +35,16 @@ std::optional<FrontReading> readFront(const State<Dim>& state, const Vec<Dim>& d
     const auto& cells = state.mesh.fluid.nodes;
     if (cells.empty()) return {};
     Pieces pieces(state.nodes.size());
-    for (const auto& cell : cells)
-        for (const int node : cell) pieces.join(cell[0], node);
-    std::vector<double> volume(x.size(), 0.0);
-    for (const auto& cell : cells) volume[pieces.of(cell[0])] += simplexMeasure<Dim>(x, cell);
+    std::vector<double> share(x.size(), 0.0), volume(x.size(), 0.0);
+    std::vector<unsigned char> wet(x.size(), 0);
+    for (const auto& cell : cells) {
+        for (const int node : cell) {
+            pieces.join(cell[0], node);
+            wet[node] = 1;
+        }
+        share[cell[0]] += simplexMeasure<Dim>(x, cell);
+    }
+    for (int i = 0; i < state.nodes.size(); ++i) volume[pieces.of(i)] += share[i];
     const int main = static_cast<int>(std::max_element(volume.begin(), volume.end()) - volume.begin());
 
     FrontReading front;
@@ -50,8 +56,8 @@ std::optional<FrontReading> readFront(const State<Dim>& state, const Vec<Dim>& d
         if (connected && (front.node < 0 || place > front.connected))
             front.connected = place, front.node = node;
     };
-    for (const auto& cell : cells)
-        for (const int node : cell) consider(node, pieces.of(node) == main);
+    for (int i = 0; i < state.nodes.size(); ++i)
+        if (wet[i]) consider(i, pieces.of(i) == main);
     for (int i = 0; i < state.nodes.size(); ++i)
         if (state.nodes.dropVolume[i] > 0) consider(i, false);
     return front;

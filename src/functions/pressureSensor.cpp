@@ -58,17 +58,46 @@ std::pair<SensorAnchor<Dim>, double> fixSensor(const State<Dim>& initial, const 
     return best;
 }
 
+namespace {
+
+/// The face that a sensor is fixed to, and its centre.
+template <int Dim>
+std::pair<Face<Dim>, Vec<Dim>> placeOf(const SensorAnchor<Dim>& anchor, const Nodes<Dim>& nodes) {
+    Face<Dim> face{};
+    Vec<Dim> centre = Vec<Dim>::Zero();
+    for (std::size_t k = 0; k < Dim; ++k) {
+        face[k] = static_cast<int>(std::lower_bound(nodes.id.begin(), nodes.id.end(), anchor.ids[k]) - nodes.id.begin());
+        centre += anchor.weights[static_cast<Eigen::Index>(k)] * nodes.x[face[k]];
+    }
+    return {face, centre};
+}
+
+/// The topology with those fluid cells alone that can have a face within `radius` of one of the places.
+template <int Dim>
+Topology<Dim> topologyAround(const State<Dim>& state, const std::vector<PatchKind>& kinds, const Points<Dim>& places,
+                             double radius) {
+    Mesh<Dim> near;
+    near.solid = state.mesh.solid;
+    near.patches = state.mesh.patches;
+    const auto& x = state.nodes.x;
+    for (const auto& cell : state.mesh.fluid.nodes) {
+        double squared = 0;
+        for (std::size_t k = 1; k <= Dim; ++k) squared = std::max(squared, (x[cell[k]] - x[cell[0]]).squaredNorm());
+        const double reach = radius + 2 * std::sqrt(squared);
+        if (std::any_of(places.begin(), places.end(),
+                        [&](const Vec<Dim>& place) { return (x[cell[0]] - place).squaredNorm() < reach * reach; }))
+            near.fluid.nodes.push_back(cell);
+    }
+    return makeTopology<Dim>(near, kinds, state.nodes.wall);
+}
+
+}  // namespace
+
 template <int Dim>
 SensorReading readSensor(const State<Dim>& state, const Topology<Dim>& topology,
                          const SensorAnchor<Dim>& anchor, double width, bool disc) {
     const auto& nodes = state.nodes;
-    Face<Dim> face{};
-    Vec<Dim> centre = Vec<Dim>::Zero();
-    for (std::size_t k = 0; k < Dim; ++k) {
-        face[k] = static_cast<int>(std::lower_bound(nodes.id.begin(), nodes.id.end(), anchor.ids[k]) -
-                                   nodes.id.begin());
-        centre += anchor.weights[static_cast<Eigen::Index>(k)] * nodes.x[face[k]];
-    }
+    const auto [face, centre] = placeOf<Dim>(anchor, nodes);
     // out of the fluid: walls have it on their left, solids have themselves on the left
     const Vec<Dim> normal = (anchor.onSolid ? -1 : 1) * faceArea<Dim>(nodes.x, face).normalized();
     const Vec<Dim> along(-normal[1], normal[0]);
@@ -125,7 +154,9 @@ void PressureSensor<Dim>::start(const State<Dim>& state) {
 
 template <int Dim>
 void PressureSensor<Dim>::advance(const State<Dim>& state) {
-    const auto topology = makeTopology<Dim>(state.mesh, kinds_, state.nodes.wall);
+    Points<Dim> places;
+    for (const auto& anchor : anchors_) places.push_back(placeOf<Dim>(anchor, state.nodes).second);
+    const auto topology = topologyAround<Dim>(state, kinds_, places, entries_.width);
     readings_.clear();
     for (std::size_t i = 0; i < anchors_.size(); ++i) {
         readings_.push_back(

@@ -44,7 +44,14 @@ template <int Dim>
 std::optional<GaugeReading> readGauge(const State<Dim>& state, const Vec<Dim>& foot,
                                       const Vec<Dim>& direction) {
     std::vector<Stretch> stretches;
+    const Vec<Dim> normal(-direction[1], direction[0]);
+    std::vector<double> off;
+    off.reserve(state.nodes.x.size());
+    for (const auto& x : state.nodes.x) off.push_back((x - foot).dot(normal));
     for (const auto& cell : state.mesh.fluid.nodes) {
+        const auto [low, high] = std::minmax({off[cell[0]], off[cell[1]], off[cell[2]]});
+        const double margin = 1e-6 * (high - low);
+        if (low > margin || high < -margin) continue;
         std::array<Vec<Dim>, Dim + 1> corners;
         for (std::size_t k = 0; k <= Dim; ++k) corners[k] = state.nodes.x[cell[k]];
         if (const auto stretch = cut(corners, foot, direction)) stretches.push_back(*stretch);

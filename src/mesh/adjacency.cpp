@@ -28,26 +28,33 @@ NodeToCells nodeToCells(const std::vector<Simplex<Dim>>& cells, int nNodes) {
 
 namespace {
 
-/// Write `values` in ascending order; none is twice among them.
-void writeSorted(const std::vector<int>& values, int* to) {
-    for (int value : values) {  // counting is quicker than moving: no branches
+/// The neighbours of one node, as they are found in the cells around it.
+struct Found {
+    int node;
+    int times;  // in how many cells
+    int cell;   // the last of them
+};
+
+/// Write the nodes in ascending order; none is twice among them.
+void writeSorted(const std::vector<Found>& found, int* to) {
+    for (const Found& each : found) {  // counting is quicker than moving: no branches
         int rank = 0;
-        for (int other : values) rank += other < value;
-        to[rank] = value;
+        for (const Found& other : found) rank += other.node < each.node;
+        to[rank] = each.node;
     }
 }
 
-}  // namespace
-
+/// `open` (2D, may be null): per cell and local node, is the face opposite to it of no other cell?
 template <int Dim>
-NodeToNodes nodeToNodes(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around) {
+NodeToNodes nodeToNodes(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around, std::vector<unsigned char>* open) {
     const int nNodes = static_cast<int>(around.start.size()) - 1;
     std::vector<int> ring(around.cell.size() * Dim);  // of node i: from Dim * around.start[i] on
     NodeToNodes result;
     result.start.assign(around.start.size(), 0);
+    if (open != nullptr) open->assign(cells.size() * (Dim + 1), 0);
 #pragma omp parallel if (cells.size() > shortLoop)
     {
-        std::vector<int> found;
+        std::vector<Found> found;
 #pragma omp for schedule(static)
         for (int i = 0; i < nNodes; ++i) {
             found.clear();
@@ -55,11 +62,20 @@ NodeToNodes nodeToNodes(const std::vector<Simplex<Dim>>& cells, const NodeToCell
                 for (int k = 1; k <= Dim; ++k) {
                     const int node = cells[around.cell[s]][(around.corner[s] + k) % (Dim + 1)];
                     bool known = false;
-                    for (int other : found) known |= other == node;
-                    if (!known) found.push_back(node);
+                    for (Found& other : found) {
+                        known |= other.node == node;
+                        other.times += other.node == node;
+                    }
+                    if (!known) found.push_back({node, 1, around.cell[s]});
                 }
             writeSorted(found, ring.data() + static_cast<std::ptrdiff_t>(Dim) * around.start[i]);
             result.start[i + 1] = static_cast<int>(found.size());
+            for (const Found& each : found) {
+                if (open == nullptr || Dim != 2 || each.times > 1 || each.node < i) continue;
+                const auto& s = cells[each.cell];
+                for (int k = 0; k <= Dim; ++k)
+                    if (s[k] != i && s[k] != each.node) (*open)[each.cell * (Dim + 1) + k] = 1;
+            }
         }
     }
     for (int i = 0; i < nNodes; ++i) result.start[i + 1] += result.start[i];
@@ -71,9 +87,9 @@ NodeToNodes nodeToNodes(const std::vector<Simplex<Dim>>& cells, const NodeToCell
     return result;
 }
 
+/// Faces that no other cell around their first node has.
 template <int Dim>
-std::vector<BoundaryFace<Dim>> boundaryFaces(const std::vector<Simplex<Dim>>& cells,
-                                             const NodeToCells& around) {
+std::vector<unsigned char> openFaces(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around) {
     const auto isShared = [&](int e, const Face<Dim>& face) {
         for (int s = around.start[face[0]]; s < around.start[face[0] + 1]; ++s) {
             const auto& other = cells[around.cell[s]];
@@ -88,23 +104,47 @@ std::vector<BoundaryFace<Dim>> boundaryFaces(const std::vector<Simplex<Dim>>& ce
         }
         return false;
     };
-    std::vector<unsigned char> open(cells.size(), 0);  // bit k: the face opposite to node k
-#pragma omp parallel for schedule(static) if (cells.size() > shortLoop)
-    for (int e = 0; e < static_cast<int>(cells.size()); ++e)
-        for (int k = 0; k <= Dim; ++k)
-            if (!isShared(e, oppositeFace<Dim>(cells[e], k))) open[e] |= static_cast<unsigned char>(1 << k);
+    std::vector<unsigned char> open(cells.size() * (Dim + 1), 0);
+    forEach(static_cast<int>(cells.size()), [&](int e) {
+        for (int k = 0; k <= Dim; ++k) open[e * (Dim + 1) + k] = !isShared(e, oppositeFace<Dim>(cells[e], k));
+    });
+    return open;
+}
+
+template <int Dim>
+std::vector<BoundaryFace<Dim>> listOf(const std::vector<Simplex<Dim>>& cells, const std::vector<unsigned char>& open) {
     std::vector<BoundaryFace<Dim>> boundary;
-    for (int e = 0; e < static_cast<int>(cells.size()); ++e)
-        for (int k = 0; open[e] != 0 && k <= Dim; ++k)
-            if (open[e] & (1 << k)) boundary.push_back({oppositeFace<Dim>(cells[e], k), e, k});
+    for (int at = 0; at < static_cast<int>(open.size()); ++at)
+        if (open[at]) {
+            const int e = at / (Dim + 1), k = at % (Dim + 1);
+            boundary.push_back({oppositeFace<Dim>(cells[e], k), e, k});
+        }
     return boundary;
 }
 
-template NodeToCells nodeToCells<2>(const std::vector<Simplex<2>>&, int);
-template NodeToNodes nodeToNodes<2>(const std::vector<Simplex<2>>&, const NodeToCells&);
-template std::vector<BoundaryFace<2>> boundaryFaces<2>(const std::vector<Simplex<2>>&, const NodeToCells&);
-template NodeToCells nodeToCells<3>(const std::vector<Simplex<3>>&, int);
-template NodeToNodes nodeToNodes<3>(const std::vector<Simplex<3>>&, const NodeToCells&);
-template std::vector<BoundaryFace<3>> boundaryFaces<3>(const std::vector<Simplex<3>>&, const NodeToCells&);
+}  // namespace
+
+template <int Dim>
+std::vector<BoundaryFace<Dim>> boundaryFaces(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around) {
+    return listOf<Dim>(cells, openFaces<Dim>(cells, around));
+}
+
+template <int Dim>
+Surroundings<Dim> surroundings(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around) {
+    if constexpr (Dim == 2) {  // an edge in one triangle alone is a face without a neighbour
+        std::vector<unsigned char> open;
+        auto ring = nodeToNodes<Dim>(cells, around, &open);
+        return {std::move(ring), listOf<Dim>(cells, open)};
+    } else {
+        return {nodeToNodes<Dim>(cells, around, nullptr), boundaryFaces<Dim>(cells, around)};
+    }
+}
+
+#define PFEM_INSTANTIATE(D)                                                                                              \
+    template NodeToCells nodeToCells<D>(const std::vector<Simplex<D>>&, int);                                            \
+    template std::vector<BoundaryFace<D>> boundaryFaces<D>(const std::vector<Simplex<D>>&, const NodeToCells&);          \
+    template Surroundings<D> surroundings<D>(const std::vector<Simplex<D>>&, const NodeToCells&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -25,9 +25,6 @@ struct NodeToNodes {
     std::vector<int> node;
 };
 
-template <int Dim>
-NodeToNodes nodeToNodes(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around);
-
 /// A face of a cell that no other cell of the same set shares.
 template <int Dim>
 struct BoundaryFace {
@@ -40,5 +37,14 @@ struct BoundaryFace {
 template <int Dim>
 std::vector<BoundaryFace<Dim>> boundaryFaces(const std::vector<Simplex<Dim>>& cells,
                                              const NodeToCells& around);
+
+/// The nodes around each node, and the faces without a neighbour in the order of cells.
+template <int Dim>
+struct Surroundings {
+    NodeToNodes ring;
+    std::vector<BoundaryFace<Dim>> boundary;
+};
+template <int Dim>
+Surroundings<Dim> surroundings(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around);
 
 }  // namespace pfem

@@ -52,7 +52,8 @@ Topology<Dim> makeTopology(const Mesh<Dim>& mesh, const std::vector<PatchKind>& 
     Topology<Dim> t;
     t.fluid = nodeToCells<Dim>(mesh.fluid.nodes, nNodes);
     t.solid = nodeToCells<Dim>(mesh.solid.nodes, nNodes);
-    t.ring = nodeToNodes<Dim>(mesh.fluid.nodes, t.fluid);
+    auto [ring, boundary] = surroundings<Dim>(mesh.fluid.nodes, t.fluid);
+    t.ring = std::move(ring);
     t.onSolid.assign(nNodes, 0);
     t.corner.assign(nNodes, 0);
     t.onWall.assign(nNodes, 0);
@@ -64,7 +65,7 @@ Topology<Dim> makeTopology(const Mesh<Dim>& mesh, const std::vector<PatchKind>& 
                 for (int node : face) t.corner[node] = 1;
         }
     const auto solid = solidFaces<Dim>(mesh, t.solid);
-    for (const auto& face : boundaryFaces<Dim>(mesh.fluid.nodes, t.fluid)) {
+    for (const auto& face : boundary) {
         const bool interface = !solid.empty() && solid.count(sorted<Dim>(face.nodes)) > 0;
         t.faces.push_back({face, interface ? FaceKind::interface : FaceKind::freeSurface});
     }

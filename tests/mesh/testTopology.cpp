@@ -43,9 +43,16 @@ TEST(Adjacency, cellsAndNodesAroundANode) {
     for (int i = 0; i < 11; ++i)
         for (int s = around.start[i]; s < around.start[i + 1]; ++s)
             EXPECT_EQ(mesh.fluid.nodes[around.cell[s]][around.corner[s]], i);
-    const auto ring = nodeToNodes<2>(mesh.fluid.nodes, around);
+    const auto [ring, boundary] = surroundings<2>(mesh.fluid.nodes, around);
     const std::vector<int> of4(ring.node.begin() + ring.start[4], ring.node.begin() + ring.start[5]);
     EXPECT_EQ(of4, (std::vector<int>{3, 5, 7, 8}));
+    const auto faces = boundaryFaces<2>(mesh.fluid.nodes, around);  // found in another way
+    ASSERT_EQ(boundary.size(), faces.size());
+    for (std::size_t k = 0; k < faces.size(); ++k) {
+        EXPECT_EQ(boundary[k].nodes, faces[k].nodes);
+        EXPECT_EQ(boundary[k].cell, faces[k].cell);
+        EXPECT_EQ(boundary[k].opposite, faces[k].opposite);
+    }
 }
 
 TEST(Adjacency, boundaryFacesHaveTheirCellOnTheLeft) {
