@@ -72,12 +72,13 @@ void Triangulation(benchmark::State& state) {
 
 void Remeshing(benchmark::State& state) {
     const TestCase& c = column(static_cast<int>(state.range(0)));
+    Triangulator triangulator;
     for (auto _ : state) {
         state.PauseTiming();
         State<2> copy = c.state;
         Topology<2> topology = c.topology();
         state.ResumeTiming();
-        benchmark::DoNotOptimize(remesh<2>(c.controls.remeshing, c.kinds(), std::move(topology), 1e-4, copy));
+        benchmark::DoNotOptimize(remesh<2>(c.controls.remeshing, c.kinds(), std::move(topology), 1e-4, triangulator, copy));
     }
     perTriangle(state, c);
 }

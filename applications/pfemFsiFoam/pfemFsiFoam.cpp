@@ -66,11 +66,12 @@ int run(const Options& options) {
         std::cerr << "--> PFEM Warning: nothing to do: endTime is not after the start at " << state.time.value << " s\n";
     std::cout << "Starting time loop\n\n" << std::flush;
     RunSummary summary;
+    Triangulator triangulator;
     const double clockStart = clockNow(), timeStart = state.time.value;
     while (clock.running(state.time)) {
         const CourantRate rate = courantRate(state);
         const double dt = clock.deltaT(state.time, rate.largest, rate.relative, rate.compression);
-        const AdvanceReport report = recorder.advance(controls, state, dt);
+        const AdvanceReport report = recorder.advance(controls, triangulator, state, dt);
         state.time = clock.advance(state.time, report.dt);
         summary.add(report, state.mesh.fluid.size() + state.mesh.solid.size());
 

@@ -21,7 +21,9 @@ public:
         while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
         return i;
     }
-    void join(int i, int j) { parent_[of(j)] = of(i); }
+    void join(int i, int j) {
+        if (parent_[i] != parent_[j]) parent_[of(j)] = of(i);
+    }
 
 private:
     std::vector<int> parent_;

@@ -45,13 +45,14 @@ std::optional<GaugeReading> readGauge(const State<Dim>& state, const Vec<Dim>& f
                                       const Vec<Dim>& direction) {
     std::vector<Stretch> stretches;
     const Vec<Dim> normal(-direction[1], direction[0]);
-    std::vector<double> off;
-    off.reserve(state.nodes.x.size());
-    for (const auto& x : state.nodes.x) off.push_back((x - foot).dot(normal));
+    std::vector<unsigned char> side(state.nodes.x.size());  // 1: on the left, 2: on the right, 3: on the line
+    for (std::size_t i = 0; i < side.size(); ++i) {
+        const double off = (state.nodes.x[i] - foot).dot(normal), margin = 1e-6 * state.nodes.h[i];
+        side[i] = static_cast<unsigned char>((off > -margin ? 1 : 0) + (off < margin ? 2 : 0));
+    }
     for (const auto& cell : state.mesh.fluid.nodes) {
-        const auto [low, high] = std::minmax({off[cell[0]], off[cell[1]], off[cell[2]]});
-        const double margin = 1e-6 * (high - low);
-        if (low > margin || high < -margin) continue;
+        const int all = side[cell[0]] & side[cell[1]] & side[cell[2]];
+        if (all == 1 || all == 2) continue;
         std::array<Vec<Dim>, Dim + 1> corners;
         for (std::size_t k = 0; k <= Dim; ++k) corners[k] = state.nodes.x[cell[k]];
         if (const auto stretch = cut(corners, foot, direction)) stretches.push_back(*stretch);

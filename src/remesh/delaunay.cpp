@@ -1,49 +1,14 @@
 #include "remesh/delaunay.hpp"
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Spatial_sort_traits_adapter_2.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
-#include <CGAL/property_map.h>
-#include <CGAL/spatial_sort.h>
-
 #include <algorithm>
 #include <numeric>
 
 #include "base/error.hpp"
+#include "remesh/movedTriangulation.hpp"
 
 namespace pfem {
 
 namespace {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
-using FaceInfo = CGAL::Triangulation_face_base_with_info_2<int, Kernel>;
-using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel, FaceInfo>;
-using Tds = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
-using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Tds, CGAL::No_constraint_intersection_requiring_constructions_tag>;
-
-std::vector<Cdt::Vertex_handle> insertPoints(Cdt& cdt, const Points<2>& points, const std::vector<int>& active) {
-    std::vector<std::pair<Kernel::Point_2, int>> sites;
-    sites.reserve(active.size());
-    for (int i : active) sites.emplace_back(Kernel::Point_2(points[i][0], points[i][1]), i);
-    using Map = CGAL::First_of_pair_property_map<std::pair<Kernel::Point_2, int>>;
-    CGAL::spatial_sort(sites.begin(), sites.end(), CGAL::Spatial_sort_traits_adapter_2<Kernel, Map>(),
-                       CGAL::Hilbert_sort_middle_policy());
-
-    std::vector<Cdt::Vertex_handle> handle(points.size());
-    Cdt::Face_handle hint;
-    for (const auto& [point, index] : sites) {
-        const auto before = cdt.number_of_vertices();
-        const auto vertex = cdt.insert(point, hint);
-        hint = vertex->face();
-        handle[index] = vertex;
-        if (cdt.number_of_vertices() == before) continue;  // coincides with an earlier point, which stands for both
-        vertex->info() = index;
-    }
-    return handle;
-}
 
 /// True when a-b crosses a constrained edge or cannot be followed.
 bool isBlocked(const Cdt& cdt, Cdt::Vertex_handle a, Cdt::Vertex_handle b) {
@@ -67,8 +32,6 @@ bool isBlocked(const Cdt& cdt, Cdt::Vertex_handle a, Cdt::Vertex_handle b) {
         if (++walk == done) return true;
     }
 }
-
-using Handles = std::vector<Cdt::Vertex_handle>;
 
 bool haveEdge(const Handles& handle, const Face<2>& face) {
     return handle[face[0]] != nullptr && handle[face[1]] != nullptr && handle[face[0]] != handle[face[1]];
@@ -101,35 +64,75 @@ bool insertWished(Cdt& cdt, const Handles& handle, const std::vector<Face<2>>& f
     return true;
 }
 
-/// In the order of the cells' first nodes, so that what lies together in the plane lies together in memory.
 Triangulation<2> copyCells(Cdt& cdt, std::size_t nPoints) {
-    const auto firstNode = [](Cdt::Face_handle face) {
-        return std::min({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
+    struct Cell {
+        Cdt::Face_handle face;
+        int first;   // local number of the smallest node
+        int second;  // the node that follows it
     };
-    std::vector<int> next(nPoints + 1, 0);
-    for (const auto face : cdt.finite_face_handles()) ++next[firstNode(face) + 1];
-    std::partial_sum(next.begin(), next.end(), next.begin());
+    const auto smallest = [](Cdt::Face_handle face) {
+        const int a = face->vertex(0)->info().index, b = face->vertex(1)->info().index, c = face->vertex(2)->info().index;
+        return a < b ? (a < c ? 0 : 2) : (b < c ? 1 : 2);
+    };
+    std::vector<int> start(nPoints + 1, 0);
+    for (const auto face : cdt.finite_face_handles()) ++start[face->vertex(smallest(face))->info().index + 1];
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    std::vector<int> next = start;
+    std::vector<Cell> cells(start.back());
+    for (const auto face : cdt.finite_face_handles()) {
+        const int k = smallest(face);
+        cells[next[face->vertex(k)->info().index]++] = {face, k, face->vertex(Cdt::ccw(k))->info().index};
+    }
+    for (std::size_t i = 0; i < nPoints; ++i)
+        std::sort(cells.begin() + start[i], cells.begin() + start[i + 1],
+                  [](const Cell& a, const Cell& b) { return a.second < b.second; });
+    auto infinite = cdt.incident_faces(cdt.infinite_vertex());
+    for (const auto done = infinite;;) {
+        infinite->info() = -1;
+        if (++infinite == done) break;
+    }
+    for (int e = 0; e < static_cast<int>(cells.size()); ++e) cells[e].face->info() = e;
     Triangulation<2> result;
-    result.cells.resize(next.back());
-    result.neighbours.resize(next.back());
-    for (const auto face : cdt.all_face_handles()) face->info() = cdt.is_infinite(face) ? -1 : next[firstNode(face)]++;
-    for (const auto face : cdt.finite_face_handles())
+    result.cells.resize(cells.size());
+    result.neighbours.resize(cells.size());
+    for (std::size_t e = 0; e < cells.size(); ++e)
         for (int k = 0; k < 3; ++k) {
-            result.cells[face->info()][k] = face->vertex(k)->info();
-            result.neighbours[face->info()][k] = face->neighbor(k)->info();
+            const int at = (cells[e].first + k) % 3;
+            result.cells[e][k] = cells[e].face->vertex(at)->info().index;
+            result.neighbours[e][k] = cells[e].face->neighbor(at)->info();
         }
     return result;
 }
 
 }  // namespace
 
+struct Triangulator::Kept : MovedTriangulation {};
+
+Triangulator::Triangulator() : kept_(std::make_unique<Kept>()) {}
+Triangulator::~Triangulator() = default;
+Triangulator::Triangulator(Triangulator&&) noexcept = default;
+Triangulator& Triangulator::operator=(Triangulator&&) noexcept = default;
+
+Triangulation<2> Triangulator::triangulate(const Points<2>& points, const std::vector<Id>& ids,
+                                           const std::vector<int>& active, const std::vector<Face<2>>& fixed,
+                                           const std::vector<Face<2>>& wished) {
+    const Handles handle = kept_->move(points, ids, active);
+    if (kept_->cdt.dimension() < 2) return {};
+    insertFixed(kept_->cdt, handle, fixed);
+    if (!insertWished(kept_->cdt, handle, wished)) {
+        kept_->forget();
+        return triangulate(points, ids, active, fixed, {});
+    }
+    auto result = copyCells(kept_->cdt, points.size());
+    kept_->keep();
+    return result;
+}
+
 Triangulation<2> constrainedDelaunay(const Points<2>& points, const std::vector<int>& active,
                                      const std::vector<Face<2>>& fixed, const std::vector<Face<2>>& wished) {
-    Cdt cdt;
-    const Handles handle = insertPoints(cdt, points, active);
-    insertFixed(cdt, handle, fixed);
-    if (!insertWished(cdt, handle, wished)) return constrainedDelaunay(points, active, fixed, {});
-    return copyCells(cdt, points.size());
+    std::vector<Id> ids(points.size());
+    std::iota(ids.begin(), ids.end(), 0);
+    return Triangulator().triangulate(points, ids, active, fixed, wished);
 }
 
 }  // namespace pfem

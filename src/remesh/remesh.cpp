@@ -178,7 +178,7 @@ bool isDistorted(double distortion, const Points<2>& x, const std::vector<Simple
 
 template <int Dim>
 RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKind>& kinds, Topology<Dim> topology,
-                    double dt, State<Dim>& state) {
+                    double dt, Triangulator& triangulator, State<Dim>& state) {
     const MovedMesh<Dim> moved = movedMesh<Dim>(state, std::move(topology));
     const double drops = dropVolume<Dim>(state);
     const auto plan = planNodes<Dim>(controls, moved, state.nodes.h, keptNodes<Dim>(state, moved.topology));
@@ -191,8 +191,9 @@ RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKi
     together(
         state.nodes.size(),
         [&] {
-            triangulation = constrainedDelaunay(state.nodes.x, activeNodes(state, kinds), fixedFaces<Dim>(state, kinds),
-                                                surfaceFaces<Dim>(controls, plan, newIndex));
+            triangulation = triangulator.triangulate(state.nodes.x, state.nodes.id, activeNodes(state, kinds),
+                                                     fixedFaces<Dim>(state, kinds),
+                                                     surfaceFaces<Dim>(controls, plan, newIndex));
         },
         [&] {
             candidates = candidateNodes(state, moved, newIndex, dt);
@@ -217,6 +218,7 @@ RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKi
     return report;
 }
 
-template RemeshReport remesh<2>(const RemeshingControls&, const std::vector<PatchKind>&, Topology<2>, double, State<2>&);
+template RemeshReport remesh<2>(const RemeshingControls&, const std::vector<PatchKind>&, Topology<2>, double, Triangulator&,
+                                State<2>&);
 
 }  // namespace pfem

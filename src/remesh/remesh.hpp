@@ -2,6 +2,7 @@
 // New connectivity of the fluid after its nodes have moved (Algorithm 1, line 13).
 
 #include "remesh/controls.hpp"
+#include "remesh/delaunay.hpp"
 #include "remesh/movedMesh.hpp"
 
 namespace pfem {
@@ -16,18 +17,19 @@ struct RemeshReport {
 };
 
 /// Remove and insert nodes, triangulate with walls, solids and the free surface as constraints, select the fluid.
-/// `topology`: of the state's mesh; `dt`: length of the step that moved it. The volume's change by cause is added to state.ledger: "contact" (triangles accepted outside the moved old
+/// `topology`: of the state's mesh; `dt`: length of the step that moved it; `triangulator`: has the last triangulation, or none. The volume's change by cause is added to state.ledger: "contact" (triangles accepted outside the moved old
 /// mesh), "stretched" and "released" (peeled off inside it), "reshaped" (partly covered triangles, removed
 /// surface nodes, overlaps), "isolated" (carried by particles without triangles).
 template <int Dim>
 RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKind>& kinds, Topology<Dim> topology,
-                    double dt, State<Dim>& state);
+                    double dt, Triangulator& triangulator, State<Dim>& state);
 
-/// The same for a topology that is not at hand.
+/// The same when neither is at hand.
 template <int Dim>
 RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKind>& kinds, State<Dim>& state) {
+    Triangulator triangulator;
     return remesh<Dim>(controls, kinds, makeTopology<Dim>(state.mesh, kinds, state.nodes.wall), state.time.deltaT,
-                       state);
+                       triangulator, state);
 }
 
 }  // namespace pfem

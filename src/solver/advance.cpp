@@ -82,8 +82,8 @@ ViscousFluid heaviestFluid(const Problem<Dim>& problem) {
 
 /// The state after a step of report.dt with its new connectivity. Throws FailedStep when it cannot be accepted.
 template <int Dim>
-State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, const State<Dim>& last,
-                   AdvanceReport& report) {
+State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, Triangulator& triangulator,
+                   const State<Dim>& last, AdvanceReport& report) {
     const Problem<Dim> problem = problemAt<Dim>(last.time.value + report.dt, problemOfRun);
     State<Dim> state = last;
     report.mesh = {};
@@ -124,7 +124,7 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, c
                                       wallsOld == state.nodes.wall
                                           ? topology
                                           : withWalls<Dim>(state.mesh, kinds, state.nodes.wall, topology),
-                                      report.dt, state);
+                                      report.dt, triangulator, state);
     } catch (const StepFailure& failure) {  // the new mesh is unfinished
         throw FailedStep<Dim>(failure, withNodesOf<Dim>(last, state.nodes));
     }
@@ -166,13 +166,14 @@ CourantRate courantRate(const State<Dim>& state) {
 }
 
 template <int Dim>
-AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, State<Dim>& last, double dt) {
+AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Triangulator& triangulator, State<Dim>& last,
+                      double dt) {
     AdvanceReport report;
     const auto& limits = controls.convergence;
     checkSpeed<Dim>(limits, last.nodes);
     for (report.dt = dt;; report.dt *= 0.5) {
         try {
-            State<Dim> next = attempt<Dim>(problem, controls, last, report);
+            State<Dim> next = attempt<Dim>(problem, controls, triangulator, last, report);
             last = std::move(next);
             return report;
         } catch (const StepFailure& failure) {  // `last` stays as it was
@@ -195,7 +196,7 @@ void startConsistently(const Problem<Dim>& problem, const Controls& controls, St
 
 #define PFEM_INSTANTIATE(D)                                                                                  \
     template CourantRate courantRate<D>(const State<D>&);                                                    \
-    template AdvanceReport advance<D>(const Problem<D>&, const Controls&, State<D>&, double);                \
+    template AdvanceReport advance<D>(const Problem<D>&, const Controls&, Triangulator&, State<D>&, double);                \
     template void startConsistently<D>(const Problem<D>&, const Controls&, State<D>&, double);
 PFEM_INSTANTIATE(2)
 

@@ -19,8 +19,17 @@ struct AdvanceReport {
 /// Advance `state` by dt or, after rejected tries, by dt/2, dt/4, ...; state.time is left to the caller.
 /// Fluid volume by cause is added to state.ledger. A try counts when it obeys solver/invariants.hpp. Throws FailedStep
 /// (or another StepFailure) after maxHalvings or below deltaTMin; the state is then the last good one.
+/// `triangulator`: keeps the triangulation for the next step, which gives the same as one from nothing.
 template <int Dim>
-AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, State<Dim>& state, double dt);
+AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Triangulator& triangulator, State<Dim>& state,
+                      double dt);
+
+/// The same with every triangulation from nothing.
+template <int Dim>
+AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, State<Dim>& state, double dt) {
+    Triangulator triangulator;
+    return advance<Dim>(problem, controls, triangulator, state, dt);
+}
 
 /// Rates which times dt are Courant numbers [1/s].
 struct CourantRate {

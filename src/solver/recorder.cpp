@@ -47,9 +47,9 @@ void Recorder<Dim>::start(const Controls& controls, State<Dim>& state, double dt
 }
 
 template <int Dim>
-AdvanceReport Recorder<Dim>::advance(const Controls& controls, State<Dim>& state, double dt) {
+AdvanceReport Recorder<Dim>::advance(const Controls& controls, Triangulator& triangulator, State<Dim>& state, double dt) {
     try {
-        return pfem::advance(problem_, controls, state, dt);
+        return pfem::advance(problem_, controls, triangulator, state, dt);
     } catch (const StepFailure& failure) {
         giveUp(fmt::format("The step after t = {} s failed with deltaT = {:.3g} s and all its halvings", state.time.value, dt),
                failure, state);

@@ -19,7 +19,7 @@ public:
     /// startConsistently() and advance(). When they fail for good, the last good state is written and the folder
     /// failed/, and a StepFailure tells the reason, the place and where both are.
     void start(const Controls& controls, State<Dim>& state, double dt);
-    AdvanceReport advance(const Controls& controls, State<Dim>& state, double dt);
+    AdvanceReport advance(const Controls& controls, Triangulator& triangulator, State<Dim>& state, double dt);
 
 private:
     [[noreturn]] void giveUp(const std::string& what, const StepFailure& failure, const State<Dim>& last);

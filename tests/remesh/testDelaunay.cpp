@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <random>
 #include <set>
 
 #include "support/cases.hpp"
@@ -164,6 +165,98 @@ TEST(Delaunay, wishedFacesAppearAgainstDelaunay) {
 TEST(Delaunay, crossingFixedFacesFailTheStep) {
     const Points<2> x = {{-1, 0}, {1, 0}, {0, -1}, {0, 1}};
     EXPECT_THROW(constrainedDelaunay(x, all(x), {{0, 1}, {2, 3}}, {}), StepFailure);
+}
+
+/// Points that move, come and go, with some edges that are asked for.
+struct Swarm {
+    std::mt19937 random;
+    Points<2> x;
+    std::vector<Id> ids;
+    Id nextId = 0;
+
+    double draw(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); }
+    void add(const Vec<2>& point) {
+        x.push_back(point);
+        ids.push_back(nextId++);
+    }
+    void removeAt(std::size_t k) {
+        x.erase(x.begin() + static_cast<std::ptrdiff_t>(k));
+        ids.erase(ids.begin() + static_cast<std::ptrdiff_t>(k));
+    }
+    std::vector<Face<2>> wished() {
+        std::vector<Face<2>> faces;
+        for (int k = 0; k < 40; ++k) {
+            const int a = static_cast<int>(draw(0, static_cast<double>(x.size()))), b = static_cast<int>(draw(0, static_cast<double>(x.size())));
+            if (a != b && (x[a] - x[b]).norm() < 0.2) faces.push_back({a, b});
+        }
+        return faces;
+    }
+    /// Returns how many points have changed since the last triangulation of which `triangulator` knows.
+    void expectSame(Triangulator& triangulator, const std::vector<Face<2>>& fixed, const std::string& what) {
+        const auto faces = wished();
+        const auto mended = triangulator.triangulate(x, ids, all(x), fixed, faces);
+        const auto anew = constrainedDelaunay(x, all(x), fixed, faces);
+        EXPECT_EQ(mended.cells, anew.cells) << what;
+        EXPECT_EQ(mended.neighbours, anew.neighbours) << what;
+    }
+};
+
+TEST(Triangulator, mendsToWhatComesFromNothing) {
+    for (const double step : {1e-4, 0.01, 0.05, 0.3}) {  // 0.05: the distance of neighbours
+        Swarm swarm{std::mt19937(7), {}, {}};
+        for (const auto& corner : {Vec<2>(0, 0), Vec<2>(1, 0), Vec<2>(1, 1), Vec<2>(0, 1)}) swarm.add(corner);
+        for (int i = 0; i < 400; ++i) swarm.add({swarm.draw(0, 1), swarm.draw(0, 1)});
+        Triangulator triangulator;
+        for (int round = 0; round < 30; ++round) {
+            swarm.expectSame(triangulator, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}, std::to_string(step) + " round " + std::to_string(round));
+            for (std::size_t i = 4; i < swarm.x.size(); ++i)
+                for (int d = 0; d < 2; ++d) swarm.x[i][d] = std::clamp(swarm.x[i][d] + step * swarm.draw(-1, 1), 0.0, 1.0);
+            for (int k = 0; k < round % 4; ++k) {
+                swarm.removeAt(static_cast<std::size_t>(swarm.draw(4, static_cast<double>(swarm.x.size()))));
+                swarm.add({swarm.draw(0, 1), swarm.draw(0, 1)});
+            }
+        }
+    }
+}
+
+// No box: the hull itself moves, with dents and points that leave it; and squares, whose corners are on one circle.
+TEST(Triangulator, hullsAndCircles) {
+    Swarm swarm{std::mt19937(3), {}, {}};
+    for (int i = 0; i < 15; ++i)
+        for (int j = 0; j < 15; ++j) swarm.add({0.1 * i, 0.1 * j});
+    Triangulator triangulator;
+    for (int round = 0; round < 40; ++round) {
+        swarm.expectSame(triangulator, {}, "round " + std::to_string(round));
+        if (round % 3 == 0)  // a shear keeps points on lines and takes them off circles
+            for (auto& point : swarm.x) point[0] += 0.02 * point[1];
+        else if (round % 3 == 1)  // and back
+            for (auto& point : swarm.x) point[0] -= 0.02 * point[1];
+        else if (round > 20)
+            for (auto& point : swarm.x) point += 0.03 * Vec<2>(swarm.draw(-1, 1), swarm.draw(-1, 1));
+    }
+}
+
+// Points that fall on one another and part again; all on one line; fixed faces that cross.
+TEST(Triangulator, goesOnAfterWhatCannotBe) {
+    Swarm swarm{std::mt19937(5), {}, {}};
+    for (int i = 0; i < 100; ++i) swarm.add({swarm.draw(0, 1), swarm.draw(0, 1)});
+    Triangulator triangulator;
+    swarm.expectSame(triangulator, {}, "start");
+    const Vec<2> before = swarm.x[17];
+    swarm.x[17] = swarm.x[40];
+    swarm.expectSame(triangulator, {}, "twins");
+    swarm.x[17] = before;
+    swarm.expectSame(triangulator, {}, "parted");
+    const Points<2> x = swarm.x;
+    for (auto& point : swarm.x) point[1] = 0.5;
+    swarm.expectSame(triangulator, {}, "line");
+    swarm.x = x;
+    swarm.expectSame(triangulator, {}, "plane");
+    swarm.x[0] = {-1, -1}, swarm.x[1] = {2, 2}, swarm.x[2] = {-1, 2}, swarm.x[3] = {2, -1};
+    EXPECT_THROW(triangulator.triangulate(swarm.x, swarm.ids, all(swarm.x), {{0, 1}, {2, 3}}, {}), StepFailure);
+    swarm.expectSame(triangulator, {{0, 1}}, "after crossing walls");
+    swarm.x.resize(3), swarm.ids.resize(3);
+    swarm.expectSame(triangulator, {}, "nearly all gone");
 }
 
 }  // namespace

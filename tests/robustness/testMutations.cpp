@@ -72,9 +72,10 @@ protected:
         FunctionObjects<2> functions(theCase, clock.dictionary(), clock.startName());
         warnUnused(clock.dictionary(), std::cerr);
         Recorder<2> recorder(theCase, problem, clock, state);
+        Triangulator triangulator;
         recorder.start(controls, state, clock.deltaT(state.time));
         functions.start(state);
-        const auto report = recorder.advance(controls, state, clock.deltaT(state.time, courantRate(state).largest));
+        const auto report = recorder.advance(controls, triangulator, state, clock.deltaT(state.time, courantRate(state).largest));
         state.time = clock.advance(state.time, report.dt);
         functions.execute(state);
         recorder.save(state);
