@@ -1,7 +1,9 @@
 #pragma once
 // When a second thread pays.
 
+#include <algorithm>
 #include <exception>
+#include <vector>
 
 namespace pfem {
 
@@ -13,6 +15,50 @@ template <class Work>
 void forEach(int n, const Work& work) {
 #pragma omp parallel for schedule(static) if (n > shortLoop)
     for (int i = 0; i < n; ++i) work(i);
+}
+
+/// The first i of 0 ... n - 1 for which holds(i), or n.
+template <class Holds>
+int firstOf(int n, const Holds& holds) {
+    int first = n;
+#pragma omp parallel for schedule(static) reduction(min : first) if (n > shortLoop)
+    for (int i = 0; i < n; ++i)
+        if (holds(i)) first = std::min(first, i);
+    return first;
+}
+
+/// value(0) + ... + value(n - 1), in parallel where they are many: sums of blocks, so that the bits do not depend on
+/// the number of threads.
+template <class Value>
+double sumOver(int n, const Value& value) {
+    constexpr int block = 512;
+    const int nBlocks = (n + block - 1) / block;
+    std::vector<double> sums(nBlocks);
+#pragma omp parallel for schedule(static) if (n > shortLoop)
+    for (int b = 0; b < nBlocks; ++b) {
+        double sum = 0;
+        for (int i = b * block; i < n && i < (b + 1) * block; ++i) sum += value(i);
+        sums[b] = sum;
+    }
+    double total = 0;
+    for (const double sum : sums) total += sum;
+    return total;
+}
+
+/// work(0) ... work(n - 1) for few but long ones, at the same time; throws what the first of them has thrown.
+template <class Work>
+void forAll(int n, const Work& work) {
+    std::vector<std::exception_ptr> failed(n);
+#pragma omp parallel for schedule(static, 1)
+    for (int k = 0; k < n; ++k) {
+        try {
+            work(k);
+        } catch (...) {
+            failed[k] = std::current_exception();
+        }
+    }
+    for (const auto& failure : failed)
+        if (failure) std::rethrow_exception(failure);
 }
 
 /// a() and b(), at the same time where `items` are many; throws what a, or else b, has thrown.

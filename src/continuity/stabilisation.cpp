@@ -14,7 +14,7 @@ std::vector<double> stabilisation(const Problem<Dim>& problem, const Cells<Dim>&
 #pragma omp parallel for schedule(static) if (cells.size() > shortLoop)
     for (int e = 0; e < cells.size(); ++e) {
         const ViscousFluid& fluid = problem.fluid(cells.material[e]);
-        const double h = std::pow((Dim == 2 ? 2.0 : 6.0) * patches.element[e].measure, 1.0 / Dim);
+        const double h = Dim == 2 ? std::sqrt(2 * patches.element[e].measure) : std::cbrt(6 * patches.element[e].measure);
         Vec<Dim> mean = Vec<Dim>::Zero();
         for (int node : cells.nodes[e]) mean += v[node] / (Dim + 1);
         tau[e] = 1 / (8 * mu[e] / (h * h) + fluid.rho / dt + fluid.rho * mean.norm() / h);

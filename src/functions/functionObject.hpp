@@ -26,6 +26,7 @@ struct FunctionContext {
     std::optional<double> resumeAt = {};  // the exact time at which a run goes on: for Table; none for new tables
 };
 
+/// Several of a run work at the same time, each in a thread of its own: they share nothing that they change.
 template <int Dim>
 class FunctionObject {
 public:

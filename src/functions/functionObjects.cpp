@@ -1,5 +1,7 @@
 #include "functions/functionObjects.hpp"
 
+#include "base/parallel.hpp"
+
 namespace pfem {
 
 namespace {
@@ -65,10 +67,11 @@ std::vector<std::string> FunctionObjects<Dim>::names() const {
 
 template <int Dim>
 void FunctionObjects<Dim>::execute(const State<Dim>& state) {
-    for (auto& entry : functions_) {
+    forAll(size(), [&](int k) {
+        auto& entry = functions_[k];
         entry.function->advance(state);
         if (entry.control.due(state.time)) entry.function->execute(state);
-    }
+    });
 }
 
 template <int Dim>

@@ -20,6 +20,7 @@ Patches<Dim> makePatches(const std::vector<Simplex<Dim>>& cells, const NodeToCel
 template <int Dim>
 void updatePatches(Patches<Dim>& patches, const Points<Dim>& x) {
     const int nCells = patches.nCells();
+    if (nCells == 0) return;
     const int nNodes = patches.nNodes();
     const NodeToCells& around = *patches.around;
 #pragma omp parallel if (nCells > shortLoop)
@@ -77,6 +78,7 @@ std::vector<Value> elementMean(const Patches<Dim>& patches, const std::vector<Va
 template <int Dim>
 void addInternalForce(const Patches<Dim>& patches, const std::vector<Tensor<Dim>>& stress, Points<Dim>& force) {
     const NodeToCells& around = *patches.around;
+    if (patches.nCells() == 0) return;
 #pragma omp parallel for schedule(static) if (patches.nCells() > shortLoop)
     for (int i = 0; i < patches.nNodes(); ++i)
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {

@@ -1,9 +1,9 @@
 #include "linear/dissectedLdlt.hpp"
 
 #include <algorithm>
-#include <exception>
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "linear/denseFront.hpp"
 #include "linear/nestedDissection.hpp"
 
@@ -85,22 +85,6 @@ LowerColumns partColumns(const SymmetricMatrix& A, const std::vector<int>& inter
         M.value[next[column]++] = value;
     });
     return M;
-}
-
-/// work(k) for all k at the same time; throws what the first of them has thrown.
-template <class Work>
-void forAll(int n, const Work& work) {
-    std::vector<std::exception_ptr> failed(n);
-#pragma omp parallel for schedule(static, 1)
-    for (int k = 0; k < n; ++k) {
-        try {
-            work(k);
-        } catch (...) {
-            failed[k] = std::current_exception();
-        }
-    }
-    for (const auto& failure : failed)
-        if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace

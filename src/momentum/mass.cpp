@@ -13,7 +13,7 @@ std::vector<double> fluidMass(const Problem<Dim>& problem, const Cells<Dim>& cel
     const auto isFluid = [](const Material& m) { return m.kind == MaterialKind::fluid; };
     if (std::count_if(problem.materials.begin(), problem.materials.end(), isFluid) == 1) {
         const double rho = std::find_if(problem.materials.begin(), problem.materials.end(), isFluid)->fluid.rho;
-        for (std::size_t i = 0; i < mass.size(); ++i) mass[i] = rho * patches.volume[i];
+        forEach(patches.nNodes(), [&](int i) { mass[i] = rho * patches.volume[i]; });
         return mass;
     }
 #pragma omp parallel for schedule(static) if (cells.size() > shortLoop)

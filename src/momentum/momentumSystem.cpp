@@ -165,7 +165,7 @@ Points<Dim> MomentumSystem<Dim>::precondition(const Points<Dim>& r) const {
 template <int Dim>
 Points<Dim> MomentumSystem<Dim>::solve(const Points<Dim>& residual) {
     Points<Dim> r = residual;
-    for (auto& value : r) value = -value;
+    forEach(static_cast<int>(r.size()), [&](int i) { r[i] = -r[i]; });
     r = restricted(r);
     Points<Dim> z = precondition(r);
     iterations_ = 1;

@@ -66,11 +66,13 @@ std::vector<Stress<Dim>> updatedStress(const Problem<Dim>& problem, const SolidC
                                        const Cells<Dim>& cells, const Patches<Dim>& patches, const Nodes<Dim>& old,
                                        const Nodes<Dim>& trial, double dt) {
     auto sigma = storedAtPoints<Dim>(patches, old.sigma, cells.sigma);
+    if (patches.nCells() == 0) return sigma;
     const auto update = [&](const Points<Dim>& field, const auto& law) {
         const auto gradient = toPoints<Dim>(patches, elementGradient<Dim>(patches, field));
-        for (int p = 0; p < nStressPoints<Dim>(patches); ++p)
+        forEach(nStressPoints<Dim>(patches), [&](int p) {
             if (isStressPoint<Dim>(patches, p))
                 sigma[p] = law(solidMaterial<Dim>(problem, cells, patches, p), sigma[p], gradient[p]);
+        });
     };
     using Law = const Hypoelastic&;
     using Old = const Stress<Dim>&;
@@ -139,6 +141,7 @@ std::vector<Tensor<Dim>> solidElementStress(const Problem<Dim>& problem, const S
                                             const Cells<Dim>& cells, const Patches<Dim>& patches,
                                             const Patches<Dim>& end, const SolidStress<Dim>& stress,
                                             const Nodes<Dim>& trial) {
+    if (end.nCells() == 0) return {};
     auto sum = controls.stressUpdate == "neoHookean" ? hyperelasticElementStress<Dim>(patches, stress.point, trial.x)
                                                      : cauchyElementStress<Dim>(end, stress.point);
     const auto L = elementGradient<Dim>(end, trial.v);

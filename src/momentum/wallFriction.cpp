@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
 
 namespace pfem {
@@ -48,11 +49,11 @@ void addSideFriction(const Problem<Dim>& problem, const Cells<Dim>& fluid, const
                      const Points<Dim>& v, Points<Dim>& force) {
     if (problem.conditions.sideFriction == 0) return;
     const NodeToCells& around = *patches.around;
-    for (int i = 0; i < patches.nNodes(); ++i) {
-        if (around.count(i) == 0) continue;
+    forEach(patches.nNodes(), [&](int i) {
+        if (around.count(i) == 0) return;
         const double rho = problem.fluid(fluid.material[around.cell[around.start[i]]]).rho;
         force[i] += patches.volume[i] * sideFriction<Dim>(problem, rho, v[i]);
-    }
+    });
 }
 
 template Vec<2> sideFriction<2>(const Problem<2>&, double, const Vec<2>&);

@@ -47,6 +47,11 @@ void insertNode(const Nodes<Dim>& old, int i, int j, int wall, State<Dim>& state
 /// Carry the plan out; returns the new index of each old node (-1 removed), inserted nodes after them.
 template <int Dim>
 std::vector<int> carryOut(const NodePlan<Dim>& plan, const MovedMesh<Dim>& moved, State<Dim>& state) {
+    if (plan.inserted.empty() && std::count(plan.removed.begin(), plan.removed.end(), 1) == 0) {
+        std::vector<int> same(state.nodes.size());
+        std::iota(same.begin(), same.end(), 0);
+        return same;
+    }
     const Nodes<Dim> old = std::move(state.nodes);
     std::vector<int> newIndex(old.size() + plan.inserted.size(), -1), stay;
     stay.reserve(old.size());

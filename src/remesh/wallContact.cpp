@@ -1,7 +1,9 @@
 #include "remesh/wallContact.hpp"
 
+#include <array>
 #include <cmath>
 
+#include "base/parallel.hpp"
 #include "material/viscosity.hpp"
 #include "mesh/simplex.hpp"
 #include "remesh/movedMesh.hpp"
@@ -98,20 +100,22 @@ void landOnWalls<2>(const RemeshingControls& controls, const Topology<2>& topolo
         else
             land(line, w, s, topology, nodes, i);  // also removes the round-off
     }
-    for (int w = 0; w < static_cast<int>(topology.walls.size()); ++w) {
-        if (topology.walls[w].patch < 0) continue;
-        const Line line(nodes.x, topology.walls[w].nodes), lineOld(xOld, topology.walls[w].nodes);
-        for (int i = 0; i < nodes.size(); ++i) {
-            if (topology.held(i) || topology.onWall[i] || nodes.wall[i] >= 0) continue;
-            const double d = line.distance(nodes.x[i]);
+    std::vector<std::pair<int, std::array<Line, 2>>> lines;  // now and before
+    for (int w = 0; w < static_cast<int>(topology.walls.size()); ++w)
+        if (topology.walls[w].patch >= 0)
+            lines.push_back({w, {Line(nodes.x, topology.walls[w].nodes), Line(xOld, topology.walls[w].nodes)}});
+    forEach(nodes.size(), [&](int i) {  // walls have their corners, which do not land
+        for (const auto& [w, line] : lines) {
+            if (topology.held(i) || topology.onWall[i] || nodes.wall[i] >= 0) return;
+            const double d = line[0].distance(nodes.x[i]);
             if (d > controls.landingDistance * nodes.h[i]) continue;
-            const double dOld = lineOld.distance(xOld[i]);
+            const double dOld = line[1].distance(xOld[i]);
             if (dOld < -1e-9 * nodes.h[i] || d >= dOld) continue;  // was behind, or leaves
-            const double s = line.along(nodes.x[i]);
-            if (s >= 0 && s <= line.length)
-                land(line, w, feet.stop(topology, w, xOld, nodes, i, s), topology, nodes, i);
+            const double s = line[0].along(nodes.x[i]);
+            if (s >= 0 && s <= line[0].length)
+                land(line[0], w, feet.stop(topology, w, xOld, nodes, i, s), topology, nodes, i);
         }
-    }
+    });
     state.ledger["landed"] += cellVolume<2>(nodes.x, state.mesh.fluid.nodes) - before;
 }
 

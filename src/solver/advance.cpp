@@ -1,5 +1,6 @@
 #include "solver/advance.hpp"
 
+#include <Eigen/Geometry>
 #include <chrono>
 #include <cmath>
 
@@ -137,14 +138,25 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
     return state;
 }
 
+/// The box of all that a drop could hit.
+template <int Dim>
+Eigen::AlignedBox<double, Dim> placesToHit(const Nodes<Dim>& nodes) {
+    Eigen::AlignedBox<double, Dim> box;
+    for (int i = 0; i < nodes.size(); ++i)
+        if (!(nodes.dropVolume[i] > 0)) box.extend(nodes.x[i]);
+    return box;
+}
+
 }  // namespace
 
 template <int Dim>
 CourantRate courantRate(const State<Dim>& state) {
     const auto& nodes = state.nodes;
     CourantRate rate;
+    const auto reach = placesToHit<Dim>(nodes);
     for (int i = 0; i < nodes.size(); ++i) {
-        const double own = nodes.v[i].norm() / nodes.h[i];
+        const double outside = nodes.dropVolume[i] > 0 ? std::sqrt(reach.squaredExteriorDistance(nodes.x[i])) : 0;
+        const double own = nodes.v[i].norm() / (nodes.h[i] + outside);
         rate.largest = std::max(rate.largest, own);
         rate.mean += own / nodes.size();
     }

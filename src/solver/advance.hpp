@@ -33,7 +33,8 @@ AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Sta
 
 /// Rates which times dt are Courant numbers [1/s].
 struct CourantRate {
-    double largest = 0, mean = 0;  // |v|/h of all nodes; particles in free flight count: they are the first to hit something
+    double largest = 0, mean = 0;  // |v|/h of all nodes; particles in free flight count: they are the first to hit
+                                   // something; those that have left the box of walls, solids and fluid, by their distance
     double relative = 0;           // largest |v_I - v_J|/h of neighbours in the fluid: how fast triangles change
     double compression = 0;        // largest - div v of a fluid triangle: new contacts close so until pressure answers
 };

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/parallel.hpp"
 #include "solver/fsiStep.hpp"
 
 namespace pfem {
@@ -30,14 +31,12 @@ private:
 /// Root mean square over the entries.
 template <int Dim>
 double rms(const Points<Dim>& u) {
-    double sum = 0;
-    for (const auto& value : u) sum += value.squaredNorm();
+    const double sum = sumOver(static_cast<int>(u.size()), [&](int i) { return u[i].squaredNorm(); });
     return u.empty() ? 0 : std::sqrt(sum / static_cast<double>(u.size()));
 }
 
 inline double rms(const std::vector<double>& u) {
-    double sum = 0;
-    for (double value : u) sum += value * value;
+    const double sum = sumOver(static_cast<int>(u.size()), [&](int i) { return u[i] * u[i]; });
     return u.empty() ? 0 : std::sqrt(sum / static_cast<double>(u.size()));
 }
 

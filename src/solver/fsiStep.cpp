@@ -50,9 +50,10 @@ void moveNodes(const Newmark& newmark, const NodeConstraints<Dim>& constraints, 
 /// patches then wait at x^n for the first two velocities.
 template <int Dim>
 bool collapses(const Patches<Dim>& fluid, const Points<Dim>& x) {
-    for (int e = 0; e < fluid.nCells(); ++e)
-        if (simplexMeasure<Dim>(x, fluid.cell(e)) < 0.2 * fluid.element[e].measure) return true;
-    return false;
+    const auto collapsing = [&](int e) {
+        return simplexMeasure<Dim>(x, fluid.cell(e)) < 0.2 * fluid.element[e].measure;
+    };
+    return firstOf(fluid.nCells(), collapsing) < fluid.nCells();
 }
 
 /// A solid element that is turned inside out, or a fluid patch without volume, cannot be accepted.
@@ -90,9 +91,10 @@ StepFailure notConverged(const StepReport& report, const std::vector<double>& dp
 /// Root mean square of 2 mu |d| over the cells: a pressure that is small beside the viscous stress need not be exact.
 template <int Dim>
 double viscousStressScale(const Patches<Dim>& fluid, const std::vector<double>& mu, const Points<Dim>& v) {
-    double sum = 0;
     const auto L = elementGradient<Dim>(fluid, v);
-    for (int e = 0; e < fluid.nCells(); ++e) sum += mu[e] * mu[e] * (L[e] + L[e].transpose()).squaredNorm();
+    const double sum = sumOver(fluid.nCells(), [&](int e) {
+        return mu[e] * mu[e] * (L[e] + L[e].transpose()).squaredNorm();
+    });
     return fluid.nCells() > 0 ? std::sqrt(sum / fluid.nCells()) : 0;
 }
 
@@ -113,7 +115,7 @@ template <int Dim>
 std::vector<double> nodalMass(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const Patches<Dim>& fluid,
                               const std::vector<double>& solid) {
     auto mass = fluidMass<Dim>(problem, mesh.fluid, fluid);
-    for (std::size_t i = 0; i < mass.size(); ++i) mass[i] += solid[i];
+    forEach(static_cast<int>(mass.size()), [&](int i) { mass[i] += solid[i]; });
     return mass;
 }
 

@@ -21,20 +21,26 @@ template <int Dim>
 
 template <int Dim>
 void checkFinite(const Nodes<Dim>& nodes) {
-    for (int i = 0; i < nodes.size(); ++i)
-        if (!nodes.x[i].allFinite() || !nodes.v[i].allFinite() || !nodes.a[i].allFinite() ||
-            !std::isfinite(nodes.p[i]) || !nodes.sigma[i].allFinite())
-            fail<Dim>(nodes, i, "has a value that is not finite");
+    const int found = firstOf(nodes.size(), [&](int i) {
+        return !nodes.x[i].allFinite() || !nodes.v[i].allFinite() || !nodes.a[i].allFinite() ||
+               !std::isfinite(nodes.p[i]) || !nodes.sigma[i].allFinite();
+    });
+    if (found < nodes.size()) fail<Dim>(nodes, found, "has a value that is not finite");
 }
 
 template <int Dim>
 void checkCells(const char* kind, const Nodes<Dim>& nodes, const std::vector<Simplex<Dim>>& cells) {
-    for (const auto& cell : cells)
-        if (!(simplexMeasure<Dim>(nodes.x, cell) > -1e-9 * nodes.h[cell[0]] * nodes.h[cell[0]]))  // flat ones are harmless
-            throw StepFailure(fmt::format("{} element with the nodes {} {} {} inverted at {}", kind, nodes.id[cell[0]],
-                                          nodes.id[cell[1]], nodes.id[cell[2]],
-                                          placeText<Dim>(simplexCentroid<Dim>(nodes.x, cell))),
-                              idsOf<Dim>(nodes, cell));
+    const int nCells = static_cast<int>(cells.size());
+    const int found = firstOf(nCells, [&](int e) {
+        const double h = nodes.h[cells[e][0]];
+        return !(simplexMeasure<Dim>(nodes.x, cells[e]) > -1e-9 * h * h);  // flat ones are harmless
+    });
+    if (found == nCells) return;
+    const auto& cell = cells[found];
+    throw StepFailure(fmt::format("{} element with the nodes {} {} {} inverted at {}", kind, nodes.id[cell[0]],
+                                  nodes.id[cell[1]], nodes.id[cell[2]],
+                                  placeText<Dim>(simplexCentroid<Dim>(nodes.x, cell))),
+                      idsOf<Dim>(nodes, cell));
 }
 
 /// Did a point pass through a face from its front (left) to its back while both moved? With more than `slack` on both

@@ -1,6 +1,7 @@
 #pragma once
 // How much fluid there is: the one definition that the solver's ledger and the mass functions share.
 
+#include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
 #include "state/state.hpp"
 
@@ -9,9 +10,7 @@ namespace pfem {
 /// Sum of the cells' measures, inverted ones negative: what moves only inside changes nothing [m2 (2D), m3].
 template <int Dim>
 double cellVolume(const Points<Dim>& x, const std::vector<Simplex<Dim>>& cells) {
-    double volume = 0;
-    for (const auto& s : cells) volume += simplexMeasure<Dim>(x, s);
-    return volume;
+    return sumOver(static_cast<int>(cells.size()), [&](int e) { return simplexMeasure<Dim>(x, cells[e]); });
 }
 
 /// What isolated particles carry.

@@ -42,4 +42,21 @@ TEST(CourantRate, ofShear) {
     EXPECT_NEAR(rate.compression, 0, 1e-9);
 }
 
+// Drops count as what they may hit within the step: inside the box of the rest by their size, outside by their distance too.
+TEST(CourantRate, ofDrops) {
+    TestCase c = waterWith(Tensor<2>::Zero(), {0, 0});
+    const auto drop = [&](const Vec<2>& x) {
+        State<2> state = c.state;
+        state.nodes.append(c.state.nodes, 0);
+        state.nodes.id.back() = state.nextId++;
+        state.nodes.x.back() = x;
+        state.nodes.v.back() = {0, -70};
+        state.nodes.dropVolume.back() = 1e-4;
+        return courantRate<2>(state).largest;
+    };
+    EXPECT_NEAR(drop({0.5, 0.99}), 70 / h, 1e-9);
+    EXPECT_NEAR(drop({0.5, 1.3}), 70 / (h + 0.3), 1e-9);
+    EXPECT_NEAR(drop({1.3, -0.4}), 70 / (h + 0.5), 1e-9);
+}
+
 }  // namespace
