@@ -7,6 +7,17 @@
 
 namespace pfem {
 
+namespace {
+
+/// What the solver has counted of a cause.
+template <int Dim>
+double counted(const State<Dim>& state, const std::string& cause) {
+    const auto found = state.energy.find(cause);
+    return found == state.energy.end() ? 0 : found->second;
+}
+
+}  // namespace
+
 template <int Dim>
 Energy<Dim>::Energy(const Dictionary&, const FunctionContext<Dim>& context) : context_(context) {
     context_.precision = std::max(8, context_.precision);  // small differences of large numbers
@@ -17,12 +28,16 @@ void Energy<Dim>::start(const State<Dim>& state) {
     problem_ = readProblem<Dim>(Case(context_.root), state, nullptr);
     controls_ = readControls(Case(context_.root), nullptr);
     first_ = storedEnergy<Dim>(*problem_, controls_, state).total();
+    firstRemeshing_ = counted(state, "remeshing");
+    firstVolume_ = counted(state, "volume");
     flows_ = {};
     const auto found = state.memory.find(context_.name);
-    if (found != state.memory.end() && found->second.size() == 5) {
+    if (found != state.memory.end() && found->second.size() == 7) {
         const auto& m = found->second;
         first_ = m[0];
         flows_ = {m[1], m[2], m[3], m[4]};
+        firstRemeshing_ = m[5];
+        firstVolume_ = m[6];
     }
     time_ = state.time.value;
     powers_ = energyPowers<Dim>(*problem_, controls_, state);
@@ -32,7 +47,7 @@ void Energy<Dim>::start(const State<Dim>& state) {
     table_.emplace(context_.folder / "energy.dat", context_.precision, context_.resumeAt);
     table_->comment("Energy, dissipation and work since the beginning [J/m in 2D, J in 3D]");
     table_->header({"Time", "kinetic", "elastic", "potential", "total", "viscous", "damper", "workWalls",
-                    "workLoads", "numerical"});
+                    "workLoads", "remeshing", "volume", "numerical"});
 }
 
 template <int Dim>
@@ -61,18 +76,22 @@ void Energy<Dim>::advance(const State<Dim>& state) {
 template <int Dim>
 void Energy<Dim>::execute(const State<Dim>& state) {
     const auto energy = storedEnergy<Dim>(*problem_, controls_, state);
-    const double numerical =
-        first_ + flows_.workWalls + flows_.workLoads - energy.total() - flows_.viscous - flows_.damper;
+    const double remeshing = counted(state, "remeshing") - firstRemeshing_;
+    const double volume = counted(state, "volume") - firstVolume_;
+    const double numerical = first_ + flows_.workWalls + flows_.workLoads + remeshing + volume - energy.total() -
+                             flows_.viscous - flows_.damper;
     std::vector<std::string> row{table_->time(state.time.value)};
     for (const double value : {energy.kinetic, energy.elastic, energy.potential, energy.total(),
-                               flows_.viscous, flows_.damper, flows_.workWalls, flows_.workLoads, numerical})
+                               flows_.viscous, flows_.damper, flows_.workWalls, flows_.workLoads, remeshing, volume,
+                               numerical})
         row.push_back(table_->number(value));
     table_->row(row);
 }
 
 template <int Dim>
 std::vector<double> Energy<Dim>::memory() const {
-    return {first_, flows_.viscous, flows_.damper, flows_.workWalls, flows_.workLoads};
+    return {first_,          flows_.viscous,  flows_.damper, flows_.workWalls,
+            flows_.workLoads, firstRemeshing_, firstVolume_};
 }
 
 template class Energy<2>;

@@ -18,11 +18,11 @@ struct EnergyFlows {
 };
 
 /// Writes postProcessing/<name>/<startTime>/energy.dat [J/m (2D), J]: kinetic, elastic (solids, and what
-/// compresses the fluid), potential (- sum m g . x), total, the EnergyFlows, and
-///   numerical = total(0) + work - total - viscous - damper:
-/// the error of the balance where nothing is remeshed, else what time integration, stabilisation, remeshing
-/// and contact have dissipated. Flows are integrated by the trapezoidal rule over every step
-/// (pfemPostProcess: over the written times).
+/// compresses the fluid), potential (- sum m g . x), total, the EnergyFlows, what the solver has counted as brought in
+/// by remeshing (new connectivity, landing on walls) and by volume (lost by the equations, returned), and
+///   numerical = total(0) + work + remeshing + volume - total - viscous - damper:
+/// for solids the error of the balance, for fluids what time integration, stabilisation and the iteration
+/// dissipate. Flows are integrated by the trapezoidal rule over every step (pfemPostProcess: over the written times).
 template <int Dim>
 class Energy : public FunctionObject<Dim> {
 public:
@@ -38,6 +38,7 @@ private:
     std::optional<Problem<Dim>> problem_;
     Controls controls_;
     double first_ = 0;  // total(0)
+    double firstRemeshing_ = 0, firstVolume_ = 0;  // the solver's counts at that time
     EnergyFlows flows_;
     double time_ = 0;
     EnergyPowers powers_;  // at time_

@@ -67,6 +67,8 @@ std::string formatUniformTime(const UniformTime& uniform, const std::string& fol
     text += fmt::format("{:<15} {};\n\n", "nextId", uniform.nextId);
     text += "// Cumulative fluid volume by cause [m2 in 2D, m3 in 3D]\nledger\n{\n";
     for (const auto& [cause, volume] : uniform.ledger) text += "    " + entry(cause, volume);
+    text += "}\n\n// Cumulative energy that came with volume and remeshing, not by the equations [J/m in 2D, J in 3D]\nenergy\n{\n";
+    for (const auto& [cause, amount] : uniform.energy) text += "    " + entry(cause, amount);
     text += "}\n\nchecksums\n{\n";
     for (const auto& [file, sum] : uniform.checksums)
         text += fmt::format("    {:<15} \"{}\";\n", plainWord(file), sum);
@@ -92,6 +94,10 @@ UniformTime readUniformTime(const std::filesystem::path& folder) {
     uniform.nextId = readWhole(dict, "nextId", Id{1} << 60);
     const Dictionary ledger = dict.subDict("ledger");
     for (const auto& cause : ledger.keys()) uniform.ledger[cause] = readFinite(ledger, cause);
+    if (dict.found("energy")) {  // folders of older versions have none
+        const Dictionary energy = dict.subDict("energy");
+        for (const auto& cause : energy.keys()) uniform.energy[cause] = readFinite(energy, cause);
+    }
     const Dictionary sums = dict.subDict("checksums");
     for (const auto& file : sums.keys()) uniform.checksums[file] = sums.get<std::string>(file);
     if (dict.found("memory"))

@@ -15,6 +15,7 @@ struct UniformTime {
     TimeInfo time;
     Id nextId = 0;
     std::map<std::string, double> ledger;          // cumulative fluid volume by cause [m2 (2D), m3]
+    std::map<std::string, double> energy = {};     // the same for energy [J/m (2D), J]
     std::map<std::string, std::string> checksums;  // of the folder's files, by checksumOf(); or "none"
     std::map<std::string, std::vector<double>> memory = {};  // of function objects
     std::string name = {};                                   // of the folder, as it was written; only read

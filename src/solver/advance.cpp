@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 
 #include "base/parallel.hpp"
 #include "continuity/residual.hpp"
@@ -10,6 +11,7 @@
 #include "remesh/lostVolume.hpp"
 #include "remesh/penetration.hpp"
 #include "remesh/wallContact.hpp"
+#include "solver/energyLedger.hpp"
 #include "solver/invariants.hpp"
 
 namespace pfem {
@@ -30,13 +32,17 @@ double volumeCorrection(const State<Dim>& state, double time, double dt) {
     return volume > 0 ? -change / (volume * std::max(time, dt)) : 0;
 }
 
-/// What the nodes of the fluid lack.
+/// What a step is asked to give to each node's patch: a share of what the node lacks, and of the patch's volume.
 template <int Dim>
-double lostVolume(const Topology<Dim>& topology, const Nodes<Dim>& nodes) {
-    double lost = 0;
+std::vector<double> returnedVolume(const Topology<Dim>& topology, const State<Dim>& state, double ofLost, double ofPatch) {
+    const auto& nodes = state.nodes;
+    std::vector<double> returned(nodes.size(), 0.0);
     for (int i = 0; i < nodes.size(); ++i)
-        if (topology.wet(i)) lost += nodes.lostVolume[i];
-    return lost;
+        if (topology.wet(i)) returned[i] = ofLost * nodes.lostVolume[i];
+    if (ofPatch == 0) return returned;
+    for (const auto& cell : state.mesh.fluid.nodes)
+        for (const int i : cell) returned[i] += ofPatch * simplexMeasure<Dim>(nodes.x, cell) / (Dim + 1);
+    return returned;
 }
 
 /// Constraints between two times [s] counted from the state's.
@@ -98,18 +104,20 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
     auto result = fsiStep<Dim>(problem, controls, state.mesh, topology, constraints, state.nodes, report.dt, divTarget);
     report.step = result.report;
     const std::vector<int> wallsOld = state.nodes.wall;
+    const auto returned = returnedVolume<Dim>(
+        topology, state, report.dt * volumeReturnRate(controls.continuity, report.dt), report.dt * divTarget);
+    state.energy["volume"] += volumeEnergy<Dim>(problem, state.mesh.fluid, state.nodes, result.nodes, returned);
     const Points<Dim> xOld = std::move(state.nodes.x);
     state.nodes = std::move(result.nodes);
     state.mesh.solid.sigma = std::move(result.cellSigma);
 
     const double moved = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes);
-    const double correction =
-        report.dt * (divTarget * volume +
-                     volumeReturnRate(controls.continuity, report.dt) * lostVolume<Dim>(topology, state.nodes));
+    const double correction = std::accumulate(returned.begin(), returned.end(), 0.0);
     state.ledger["correction"] += correction;
     state.ledger["solver"] += moved - volume - correction;
     const double stepped = now();
     report.seconds[0] += stepped - start;
+    const double energy = fluidEnergy<Dim>(problem, state);
 
     try {
         if (problem.conditions.anyMotion()) standOnWalls(state.mesh, wallPatches(kinds), state.nodes);
@@ -126,6 +134,7 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
                                           ? topology
                                           : withWalls<Dim>(state.mesh, kinds, state.nodes.wall, topology),
                                       report.dt, triangulator, state);
+        state.energy["remeshing"] += fluidEnergy<Dim>(problem, state) - energy;
     } catch (const StepFailure& failure) {  // the new mesh is unfinished
         throw FailedStep<Dim>(failure, withNodesOf<Dim>(last, state.nodes));
     }

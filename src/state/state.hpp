@@ -52,6 +52,7 @@ struct State {
     Mesh<Dim> mesh;
     Id nextId = 0;                         // the id of the next node to be inserted
     std::map<std::string, double> ledger;  // cumulative fluid volume by cause [m2 (2D), m3]
+    std::map<std::string, double> energy;  // cumulative, brought in beside the equations of motion, by cause [J/m (2D), J]
     std::map<std::string, std::vector<double>> memory;  // of function objects, by their name
 };
 

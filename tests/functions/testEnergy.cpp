@@ -10,7 +10,7 @@ using namespace test;
 
 namespace {
 
-enum Column { time, kinetic, elastic, potential, total, viscous, damper, workWalls, workLoads, numerical };
+enum Column { time, kinetic, elastic, potential, total, viscous, damper, workWalls, workLoads, remeshing, volume, numerical };
 
 /// Advance with the function watching.
 void run(TestCase& c, FunctionObjects<2>& functions, double dt, int steps) {
