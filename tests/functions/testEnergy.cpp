@@ -2,6 +2,7 @@
 
 #include "caseFolder.hpp"
 #include "io/stateFiles.hpp"
+#include "solver/energyLedger.hpp"
 #include "support/cantilever.hpp"
 
 namespace pfem {
@@ -71,6 +72,50 @@ TEST(Energy, NumericalDissipationFallsWithMeshAndStep) {
     EXPECT_NEAR(quick / slow, 0.55, 0.1);
 }
 
+// A column that falls on its own tongue's bed: contacts take energy, whatever the step; what is left falls with it.
+TEST(Energy, RemeshingAndVolumeStandApart) {
+    const CaseFolder folder(water, "tank { type slip; }");
+    const auto run = [&](double dt) {
+        TestCase c = makeCase("meshSize 0.05; bodies ( water { type fluid; material water; " + rectangle(0, 0, 0.5, 1) +
+                                  " } ); walls ( tank { points ((0 2) (0 0) (1.2 0) (1.2 2)); } );",
+                              water, "tank { type slip; }");
+        c.start(dt);
+        const double first = storedEnergy<2>(c.problem, c.controls, c.state).total();
+        while (c.state.time.value < 0.5 - 0.5 * dt) c.step(dt);
+        const double lost = first - storedEnergy<2>(c.problem, c.controls, c.state).total();
+        const double apart = c.state.energy.at("remeshing") + c.state.energy.at("volume");
+        return std::pair(apart, lost + apart);  // the latter without viscosity, which is small
+    };
+    const auto [apartLong, numericalLong] = run(4e-3);
+    const auto [apartShort, numericalShort] = run(1e-3);
+    std::cout << "steps of 4 / 1 ms: remeshing and volume " << apartLong << " / " << apartShort << ", numerical " << numericalLong
+              << " / " << numericalShort << " J/m\n";
+    EXPECT_GT(numericalShort, 0);
+    EXPECT_LT(numericalShort, 0.7 * numericalLong);
+    EXPECT_LT(numericalShort, 0.01 * 1000 * 9.81 * 0.5 * 0.5);  // of the column's energy
+}
+
+// The energy of water that appears: where nothing moves rho (v^2/2 - g . x) of the added volume, and p of what is asked for.
+TEST(Energy, OfAddedVolume) {
+    TestCase c = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 2, 1, 3) + " } );", water, "");
+    c.problem.gravity = {0, -10};
+    Nodes<2> old = c.state.nodes, now = c.state.nodes;
+    for (int i = 0; i < now.size(); ++i) {
+        old.v[i] = now.v[i] = {3, 4};
+        now.p[i] = 50;
+        now.x[i][0] *= 1.01;  // 0.01 m2, with its centre at a height of 2.5 m
+    }
+    const std::vector<double> nothing(now.size(), 0.0);
+    std::vector<double> asked = nothing;
+    asked[0] = 0.004;
+    const double added = volumeEnergy<2>(c.problem, c.state.mesh.fluid, old, now, nothing);
+    EXPECT_NEAR(added, 1000 * 0.01 * (12.5 + 10 * 2.5), 1e-9);
+    EXPECT_NEAR(volumeEnergy<2>(c.problem, c.state.mesh.fluid, old, now, asked) - added, 50 * 0.004, 1e-9);
+    c.state.nodes = now;
+    const auto stored = storedEnergy<2>(c.problem, c.controls, c.state);
+    EXPECT_NEAR(fluidEnergy<2>(c.problem, c.state), stored.total(), 1e-9 * stored.total());
+}
+
 // A block of water in free fall: nothing is dissipated, potential becomes kinetic.
 TEST(Energy, FreeFall) {
     const CaseFolder folder(water, "floor { type slip; }");
@@ -85,6 +130,7 @@ TEST(Energy, FreeFall) {
     EXPECT_NEAR(rows.front()[potential], 250 * 10 * 1.25, 1e-6);
     EXPECT_NEAR(rows.back()[kinetic], 0.5 * 250 * 4, 1e-6);  // v = 10 * 0.2
     EXPECT_NEAR(rows.back()[numerical], 0, 1e-6);
+    EXPECT_NEAR(rows.back()[remeshing], 0, 1e-9);
 }
 
 // v = (gamma y, 0) dissipates mu gamma^2 per volume; a wall that recedes with v takes p v per length.

@@ -83,6 +83,7 @@ inline void expectIdentical(const State<2>& a, const State<2>& b) {
     EXPECT_TRUE(sameBits(a.time.deltaT0, b.time.deltaT0));
     EXPECT_EQ(a.nextId, b.nextId);
     EXPECT_EQ(a.ledger, b.ledger);
+    EXPECT_EQ(a.energy, b.energy);
     EXPECT_EQ(a.nodes.id, b.nodes.id);
     EXPECT_TRUE(sameBits(a.nodes.x, b.nodes.x));
     EXPECT_TRUE(sameBits(a.nodes.v, b.nodes.v));

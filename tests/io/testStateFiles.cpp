@@ -34,6 +34,17 @@ TEST(StateFiles, RoundTripRestoresEveryBit) {
     expectIdentical(state, readState<2>(folder.path() / "0.3"));
 }
 
+// Folders from before energy was counted.
+TEST(StateFiles, WithoutEnergy) {
+    const TemporaryFolder folder;
+    writeState(folder.path() / "0.3", sampleState());
+    std::string text = readText(folder.path() / "0.3/uniform/time");
+    const auto begin = text.find("energy");
+    text.erase(begin, text.find('}', begin) + 1 - begin);
+    put(folder.path() / "0.3/uniform/time", text);
+    EXPECT_TRUE(readState<2>(folder.path() / "0.3").energy.empty());
+}
+
 // Nodal integration: no stress in cells.
 TEST(StateFiles, WithoutStressInCells) {
     const TemporaryFolder folder;
