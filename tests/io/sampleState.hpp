@@ -41,6 +41,7 @@ inline State<2> sampleState() {
     s.time = {0.1 + 0.2, 7, 1.0 / 3.0, 1e-3};
     s.nextId = 4000000000;
     s.ledger = {{"contact", -1.0 / 7.0}, {"insertion", 0.0}, {"removal", 1e-300}};
+    s.energy = {{"remeshing", -0.1}, {"volume", 1.0 / 3.0}};
     const Points<2> x{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {2, 0}, {2, 1}, {0.3, 3.7}, {-0.5, 2}};
     s.nodes.resize(static_cast<int>(x.size()));
     for (std::size_t i = 0; i < x.size(); ++i) {
