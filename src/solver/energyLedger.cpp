@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
 
 namespace pfem {
@@ -20,14 +21,13 @@ template <int Dim>
 double fluidEnergy(const Problem<Dim>& problem, const State<Dim>& state) {
     const auto& nodes = state.nodes;
     const auto& cells = state.mesh.fluid;
-    double sum = 0;
-    for (int e = 0; e < cells.size(); ++e) {
+    double sum = sumOver(cells.size(), [&](int e) {
         const ViscousFluid& fluid = problem.fluid(cells.material[e]);
         double ofNodes = 0;
         for (const int i : cells.nodes[e])
             ofNodes += fluid.rho * specificEnergy<Dim>(problem, nodes, i) + 0.5 * nodes.p[i] * nodes.p[i] / fluid.kappa;
-        sum += simplexMeasure<Dim>(nodes.x, cells.nodes[e]) / (Dim + 1) * ofNodes;
-    }
+        return simplexMeasure<Dim>(nodes.x, cells.nodes[e]) / (Dim + 1) * ofNodes;
+    });
     const auto first = std::find_if(problem.materials.begin(), problem.materials.end(),
                                     [](const Material& m) { return m.kind == MaterialKind::fluid; });
     if (first == problem.materials.end()) return sum;
@@ -39,14 +39,13 @@ double fluidEnergy(const Problem<Dim>& problem, const State<Dim>& state) {
 template <int Dim>
 double volumeEnergy(const Problem<Dim>& problem, const Cells<Dim>& cells, const Nodes<Dim>& old, const Nodes<Dim>& now,
                     const std::vector<double>& returned) {
-    double sum = 0;
-    for (int e = 0; e < cells.size(); ++e) {
+    double sum = sumOver(cells.size(), [&](int e) {
         const double change = simplexMeasure<Dim>(now.x, cells.nodes[e]) - simplexMeasure<Dim>(old.x, cells.nodes[e]);
         double ofNodes = 0;
         for (const int i : cells.nodes[e])
             ofNodes += 0.5 * (specificEnergy<Dim>(problem, old, i) + specificEnergy<Dim>(problem, now, i));
-        sum += problem.fluid(cells.material[e]).rho * change / (Dim + 1) * ofNodes;
-    }
+        return problem.fluid(cells.material[e]).rho * change / (Dim + 1) * ofNodes;
+    });
     for (int i = 0; i < now.size(); ++i) sum += now.p[i] * returned[i];
     return sum;
 }
