@@ -45,11 +45,15 @@ std::optional<GaugeReading> readGauge(const State<Dim>& state, const Vec<Dim>& f
                                       const Vec<Dim>& direction) {
     std::vector<Stretch> stretches;
     const Vec<Dim> normal(-direction[1], direction[0]);
-    std::vector<unsigned char> side(state.nodes.x.size());  // 1: on the left, 2: on the right, 3: on the line
-    for (std::size_t i = 0; i < side.size(); ++i) {
-        const double off = (state.nodes.x[i] - foot).dot(normal), margin = 1e-6 * state.nodes.h[i];
-        side[i] = static_cast<unsigned char>((off > -margin ? 1 : 0) + (off < margin ? 2 : 0));
+    std::vector<double> off;
+    double farthest = 0;
+    for (const auto& x : state.nodes.x) {
+        off.push_back((x - foot).dot(normal));
+        farthest = std::max(farthest, std::abs(off.back()));
     }
+    std::vector<unsigned char> side;  // 1: on the left, 2: on the right, 3: on the line
+    for (const double d : off)
+        side.push_back(static_cast<unsigned char>((d >= -1e-6 * farthest ? 1 : 0) + (d <= 1e-6 * farthest ? 2 : 0)));
     for (const auto& cell : state.mesh.fluid.nodes) {
         const int all = side[cell[0]] & side[cell[1]] & side[cell[2]];
         if (all == 1 || all == 2) continue;

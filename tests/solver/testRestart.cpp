@@ -31,7 +31,7 @@ TEST_P(Restart, isBitwiseTheRunItself) {
     TestCase again = c;
     again.state = readState<2>(folder.path() / "0.03");
     const auto before = c.state.mesh.fluid.nodes;
-    for (int n = 0; n < 25; ++n) {
+    for (int n = 0; n < 60; ++n) {
         c.step(2e-3);
         again.step(2e-3);
     }
