@@ -51,12 +51,11 @@ std::optional<GaugeReading> readGauge(const State<Dim>& state, const Vec<Dim>& f
         off.push_back((x - foot).dot(normal));
         farthest = std::max(farthest, std::abs(off.back()));
     }
-    std::vector<unsigned char> side;  // 1: on the left, 2: on the right, 3: on the line
+    std::vector<unsigned char> side;  // 1: on the left, 2: on the right, 0: on the line
     for (const double d : off)
-        side.push_back(static_cast<unsigned char>((d >= -1e-6 * farthest ? 1 : 0) + (d <= 1e-6 * farthest ? 2 : 0)));
+        side.push_back(static_cast<unsigned char>((d > 1e-6 * farthest ? 1 : 0) + (d < -1e-6 * farthest ? 2 : 0)));
     for (const auto& cell : state.mesh.fluid.nodes) {
-        const int all = side[cell[0]] & side[cell[1]] & side[cell[2]];
-        if (all == 1 || all == 2) continue;
+        if ((side[cell[0]] & side[cell[1]] & side[cell[2]]) != 0) continue;
         std::array<Vec<Dim>, Dim + 1> corners;
         for (std::size_t k = 0; k <= Dim; ++k) corners[k] = state.nodes.x[cell[k]];
         if (const auto stretch = cut(corners, foot, direction)) stretches.push_back(*stretch);
