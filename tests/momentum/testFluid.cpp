@@ -134,6 +134,7 @@ TEST(ViscousOperator, tangentViscosity) {
     const auto L = toPoints<2>(f.patches, elementGradient<2>(f.patches, v));
     const ViscousFluid& mud = f.c.problem.fluid(0);
     for (int i = 0; i < f.n; ++i) {
+        if (flow.mu[i] == 0) continue;  // a node of the solid
         const double g = shearRate<2>(L[i]), eps = 1e-6 * g;
         const double exact = ((g + eps) * viscosity(mud, g + eps) - (g - eps) * viscosity(mud, g - eps)) / (2 * eps);
         EXPECT_NEAR(tangent[i], exact, 1e-6 * flow.mu[i]);
