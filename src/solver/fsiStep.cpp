@@ -24,14 +24,17 @@ namespace pfem {
 
 namespace {
 
-/// Positions and accelerations that follow from the trial velocities (22). Isolated particles are in ballistic flight
-/// or slide down their wall. What follows a moving wall does so whatever the trial says.
+/// Positions and accelerations that follow from the trial velocities (22). Isolated particles are in ballistic flight,
+/// slide down their wall or stick to it. What follows a moving wall does so whatever the trial says.
 template <int Dim>
 void moveNodes(const Newmark& newmark, const NodeConstraints<Dim>& constraints, const Topology<Dim>& topology,
                const Vec<Dim>& gravity, const Nodes<Dim>& old, Nodes<Dim>& trial) {
     const double dt = newmark.dt;
     forEach(old.size(), [&](int i) {
-        if (constraints.hold[i] == Hold::fixed && !constraints.isMoved(i)) return;
+        if (constraints.hold[i] == Hold::fixed && !constraints.isMoved(i)) {
+            if (topology.isolated(i)) trial.v[i] = trial.a[i] = Vec<Dim>::Zero();  // a drop on a wall that it sticks to
+            return;
+        }
         const Vec<Dim> fall = constraints.project(i, gravity);
         if (topology.isolated(i)) {
             trial.v[i] = old.v[i] + dt * fall;
