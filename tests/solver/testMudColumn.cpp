@@ -37,6 +37,30 @@ TEST(NewtonDamping, takesWholeStepsOfOneDirection) {
     EXPECT_EQ(damping.next({Vec<2>(-0.5, 0)}), 1);
 }
 
+/// Where a drop is after 0.2 s that lay at (1.5, 0) on the bed and went at 0.5 m/s.
+double placeOfDrop(const std::string& wall) {
+    TestCase c = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.3) +
+                              " } ); walls ( tank { points ((0 1) (0 0) (3 0)); } );",
+                          water, "tank { type " + wall + "; }");
+    Nodes<2>& nodes = c.state.nodes;
+    const Nodes<2> old = nodes;
+    nodes.append(old, nearestNode(old.x, {0.5, 0}));
+    const int id = nodes.id.back() = c.state.nextId++;
+    nodes.x.back() = {1.5, 0};
+    nodes.v.back() = {0.5, 0};
+    nodes.dropVolume.back() = 1e-4;
+    c.start(1e-3);
+    while (c.state.time.value < 0.2 - 1e-9) c.step(0.01);
+    for (int i = 0; i < nodes.size(); ++i)
+        if (nodes.id[i] == id) return nodes.x[i][0];
+    return -1;
+}
+
+TEST(Drop, sticksToANoSlipWall) {
+    EXPECT_NEAR(placeOfDrop("slip"), 1.6, 1e-9);
+    EXPECT_EQ(placeOfDrop("noSlip"), 1.5);
+}
+
 // 20 triangles high, m = 100 s: a plug of 5000 Pa s beside mud of 10 Pa s.
 TEST(MudColumn, hardlyAnyStepIsRejected) {
     TestCase c = makeCase("meshSize 0.015; bodies ( mud { type fluid; material mud; " + rectangle(0, 0, 0.2, 0.3) +
