@@ -3,18 +3,19 @@
 namespace pfem {
 
 template <int Dim>
-void addViscousPressure(const Patches<Dim>& fluid, const std::vector<double>& mu, double scale, const std::vector<double>& residual,
-                        std::vector<double>& dp) {
+void addViscousPressure(const Patches<Dim>& fluid, const std::vector<double>& mu, const std::vector<double>& scale,
+                        const std::vector<double>& residual, std::vector<double>& dp) {
     const NodeToCells& around = *fluid.around;
     for (int i = 0; i < fluid.nNodes(); ++i) {
         double sum = 0;  // (d+1) Omega_I mu_I
         for (int s = around.start[i]; s < around.start[i + 1]; ++s)
             sum += fluid.element[around.cell[s]].measure * mu[around.cell[s]];
         const double volume = fluid.volume[i];
-        if (volume > 0) dp[i] -= scale * sum / ((Dim + 1) * volume) * residual[i] / volume;
+        if (volume > 0) dp[i] -= scale[i] * sum / ((Dim + 1) * volume) * residual[i] / volume;
     }
 }
 
-template void addViscousPressure<2>(const Patches<2>&, const std::vector<double>&, double, const std::vector<double>&, std::vector<double>&);
+template void addViscousPressure<2>(const Patches<2>&, const std::vector<double>&, const std::vector<double>&,
+                                    const std::vector<double>&, std::vector<double>&);
 
 }  // namespace pfem

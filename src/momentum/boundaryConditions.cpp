@@ -115,8 +115,8 @@ NodeConstraints<Dim> nodeConstraints(const Mesh<Dim>& mesh, const BoundaryCondit
         }
         if (topology.onWall[i]) {
             const auto& wall = topology.walls[nodes.wall[i]];
-            const bool sticks = conditions.kind[wall.patch] == PatchKind::noSlipWall && topology.wet(node) &&
-                                !topology.freeSurface[i];
+            // the contact line creeps on, a drop stays where it is
+            const bool sticks = conditions.kind[wall.patch] == PatchKind::noSlipWall && !topology.freeSurface[i];
             c.hold[i] = sticks ? Hold::fixed : Hold::slide;
             c.normal[i] = faceArea<Dim>(nodes.x, wall.nodes).normalized();
             if (!topology.corner[i]) c.mover[i] = moverOf(wall.patch);

@@ -64,7 +64,18 @@ Points<Dim> viscousForce(const Patches<Dim>& patches, const std::vector<double>&
     return force;
 }
 
+template <int Dim>
+std::vector<double> tangentViscosity(const FlowViscosity<Dim>& viscosity) {
+    std::vector<double> mu = viscosity.mu;
+    for (std::size_t p = 0; p < viscosity.rate.size(); ++p) {
+        const Tensor<Dim>& d = viscosity.rate[p];
+        mu[p] += 0.5 * viscosity.softening[p] * (d.squaredNorm() + d.trace() * d.trace());
+    }
+    return mu;
+}
+
 template bool isNewtonian<2>(const Problem<2>&);
+template std::vector<double> tangentViscosity<2>(const FlowViscosity<2>&);
 template FlowViscosity<2> flowViscosity<2>(const Problem<2>&, const Cells<2>&, const Patches<2>&, const Points<2>&);
 template Points<2> viscousForce<2>(const Patches<2>&, const std::vector<double>&, const Points<2>&);
 template std::vector<Tensor<2>> fluidTangentStress<2>(const Patches<2>&, const FlowViscosity<2>&, const Points<2>&,

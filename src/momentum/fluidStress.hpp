@@ -23,6 +23,10 @@ template <int Dim>
 FlowViscosity<Dim> flowViscosity(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
                                  const Points<Dim>& v);
 
+/// mu + g d mu/d g of the points: what resists a change of the flow in its own direction [Pa s].
+template <int Dim>
+std::vector<double> tangentViscosity(const FlowViscosity<Dim>& viscosity);
+
 /// Nodal force of the points' viscous stress sigma = 2 mu d', d' = d - tr(d)/3 I [N/m (2D), N].
 template <int Dim>
 Points<Dim> viscousForce(const Patches<Dim>& patches, const std::vector<double>& mu, const Points<Dim>& v);

@@ -18,19 +18,23 @@
 #include "momentum/wallFriction.hpp"
 #include "solver/anderson.hpp"
 #include "solver/convergence.hpp"
+#include "solver/newtonDamping.hpp"
 
 namespace pfem {
 
 namespace {
 
-/// Positions and accelerations that follow from the trial velocities (22). Isolated particles are in ballistic flight
-/// or slide down their wall. What follows a moving wall does so whatever the trial says.
+/// Positions and accelerations that follow from the trial velocities (22). Isolated particles are in ballistic flight,
+/// slide down their wall or stick to it. What follows a moving wall does so whatever the trial says.
 template <int Dim>
 void moveNodes(const Newmark& newmark, const NodeConstraints<Dim>& constraints, const Topology<Dim>& topology,
                const Vec<Dim>& gravity, const Nodes<Dim>& old, Nodes<Dim>& trial) {
     const double dt = newmark.dt;
     forEach(old.size(), [&](int i) {
-        if (constraints.hold[i] == Hold::fixed && !constraints.isMoved(i)) return;
+        if (constraints.hold[i] == Hold::fixed && !constraints.isMoved(i)) {
+            if (topology.isolated(i)) trial.v[i] = trial.a[i] = Vec<Dim>::Zero();  // a drop on a wall that it sticks to
+            return;
+        }
         const Vec<Dim> fall = constraints.project(i, gravity);
         if (topology.isolated(i)) {
             trial.v[i] = old.v[i] + dt * fall;
@@ -110,6 +114,16 @@ double pressureScale(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const N
     return rho * (problem.gravity.norm() * h + 1e-6 * v * v + roundOff * v * h);
 }
 
+/// Factor of mu div v in the change of pressure. A patch at the free surface, whose sides give way, resists its swelling by mu/3 only
+/// (plane strain); beside a plug that does not move, more would overshoot.
+template <int Dim>
+std::vector<double> viscousPressureScale(double scale, bool yields, const Topology<Dim>& topology) {
+    std::vector<double> result(topology.nNodes(), scale);
+    for (int i = 0; yields && i < topology.nNodes(); ++i)
+        if (topology.freeSurface[i]) result[i] *= 1.0 / 3;
+    return result;
+}
+
 /// Solid mass (constant) plus fluid mass in the configuration of the patches.
 template <int Dim>
 std::vector<double> nodalMass(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const Patches<Dim>& fluid,
@@ -150,6 +164,9 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
     std::vector<double> dp;
     SolidStress<Dim> stressOfSolid;
     Points<Dim> viscous;
+    const bool yields = !isNewtonian<Dim>(problem);
+    const auto viscousScale = viscousPressureScale<Dim>(controls.continuity.viscousScale, yields, topology);
+    NewtonDamping<Dim> damping;
     Anderson pressureIteration(controls.convergence.accelerationDepth);
     moveNodes<Dim>(newmark, constraints, topology, problem.gravity, old, trial);
     const int waiting = collapses<Dim>(fluid, trial.x) ? 2 : 0;
@@ -162,7 +179,7 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
         updatePatches<Dim>(solidGradients, gradientPositions<Dim>(controls.solid, old, trial));
         mass = nodalMass<Dim>(problem, mesh, fluid, massOfSolid);
         stressOfSolid = solidStress<Dim>(problem, controls.solid, mesh.solid, solidGradients, old, trial, dt);
-        if (!isNewtonian<Dim>(problem)) {
+        if (yields) {
             viscosity = flowViscosity<Dim>(problem, mesh.fluid, fluid, trial.v);
             cellMu = fromPoints<Dim>(fluid, viscosity.mu);
             momentum.setViscosity(viscosity);
@@ -181,7 +198,8 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
             external);
         momentum.setMass(mass);
         const auto dv = momentum.solve(R_m);
-        forEach(trial.size(), [&](int i) { trial.v[i] += dv[i]; });
+        const double part = yields ? damping.next(dv) : 1;
+        forEach(trial.size(), [&](int i) { trial.v[i] += part * dv[i]; });
         moveNodes<Dim>(newmark, constraints, topology, problem.gravity, old, trial);
 
         // patches again: the continuity lives in the updated configuration, and so does the next momentum
@@ -195,7 +213,8 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
         }
         if (report.iterations == waiting) pressureIteration.restart();
         dp = continuity.solve(R_c);
-        if (momentum.isViscous()) addViscousPressure<Dim>(fluid, cellMu, controls.continuity.viscousScale, R_c, dp);
+        if (momentum.isViscous())
+            addViscousPressure<Dim>(fluid, yields ? fromPoints<Dim>(fluid, tangentViscosity<Dim>(viscosity)) : cellMu, viscousScale, R_c, dp);
         trial.p = pressureIteration.next(trial.p, dp);
 
         converged = convergence.reached(rms<Dim>(dv), rms<Dim>(trial.v), rms(dp), rms(trial.p)) &&

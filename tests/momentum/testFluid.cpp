@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "material/viscosity.hpp"
 #include "momentum/fluidStress.hpp"
 #include "momentum/residual.hpp"
 #include "support/cases.hpp"
@@ -116,6 +117,28 @@ TEST(ViscousOperator, ofAFluidWithYieldStressIsTheDerivative) {
             fluidTangentStress<2>(f.patches, flowViscosity<2>(f.c.problem, cells, f.patches, v), w, {}));
         for (int i = 0; i < f.n; ++i) EXPECT_LT(((a[i] - b[i]) / (2 * eps) - exact[i]).norm(), 1e-5 * largest(exact));
         EXPECT_GT(largest(exact), 0.1);
+    }
+}
+
+// d(g mu(g))/d g, g the shear rate
+TEST(ViscousOperator, tangentViscosity) {
+    Fluid f;
+    for (auto& m : f.c.problem.materials) {
+        m.fluid.yieldStress = 20;
+        m.fluid.exponent = 0.6;
+        m.fluid.regularisation = 0.5;
+    }
+    const auto v = randomVectors(f.n, 3);
+    const auto flow = flowViscosity<2>(f.c.problem, f.c.state.mesh.fluid, f.patches, v);
+    const auto tangent = tangentViscosity<2>(flow);
+    const auto L = toPoints<2>(f.patches, elementGradient<2>(f.patches, v));
+    const ViscousFluid& mud = f.c.problem.fluid(0);
+    for (int i = 0; i < f.n; ++i) {
+        if (flow.mu[i] == 0) continue;  // a node of the solid
+        const double g = shearRate<2>(L[i]), eps = 1e-6 * g;
+        const double exact = ((g + eps) * viscosity(mud, g + eps) - (g - eps) * viscosity(mud, g - eps)) / (2 * eps);
+        EXPECT_NEAR(tangent[i], exact, 1e-6 * flow.mu[i]);
+        EXPECT_LT(tangent[i], flow.mu[i]);
     }
 }
 

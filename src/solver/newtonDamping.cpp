@@ -1,0 +1,23 @@
+#include "solver/newtonDamping.hpp"
+
+#include <algorithm>
+
+namespace pfem {
+
+template <int Dim>
+double NewtonDamping<Dim>::next(const Points<Dim>& step) {
+    if (last_.size() == step.size()) {
+        double both = 0, squares = 0;
+        for (std::size_t i = 0; i < step.size(); ++i) {
+            both += step[i].dot(last_[i]);
+            squares += last_[i].squaredNorm();
+        }
+        part_ = both < squares ? std::clamp(part_ * squares / (squares - both), 0.1, 1.0) : 1;
+    }
+    last_ = step;
+    return part_;
+}
+
+template class NewtonDamping<2>;
+
+}  // namespace pfem
