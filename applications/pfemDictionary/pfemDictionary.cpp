@@ -26,10 +26,11 @@ OptionsSpec dictionaryOptions() {
 
 bool isQuoted(const std::string& key) { return key.size() > 2 && key.front() == '"' && key.back() == '"'; }
 
+std::string lastName(const std::string& entry) { return entry.substr(entry.rfind('/') + 1); }
+
 /// The entry's scopes and, last, its name. Keys may contain dots themselves: these part only where the whole
 /// name is no key. In quotes it is one name.
 std::vector<std::string> pathOf(std::string key, Dictionary dictionary) {
-    if (isQuoted(key)) return {key.substr(1, key.size() - 2)};
     std::vector<std::string> path;
     const auto descend = [&](std::size_t cut) {
         path.push_back(key.substr(0, cut));
@@ -37,6 +38,10 @@ std::vector<std::string> pathOf(std::string key, Dictionary dictionary) {
         key.erase(0, cut + 1);
     };
     for (auto cut = key.find('/'); cut != std::string::npos; cut = key.find('/')) descend(cut);
+    if (isQuoted(key)) {
+        path.push_back(key.substr(1, key.size() - 2));
+        return path;
+    }
     for (auto cut = key.find('.'); cut != std::string::npos && !dictionary.found(key); cut = key.find('.')) {
         if (!dictionary.isDict(key.substr(0, cut))) break;
         descend(cut);
@@ -63,13 +68,17 @@ void show(const Options& options, Dictionary dictionary, const std::vector<std::
 
 /// A new entry whose name still has a dot was meant to be in a dictionary that is not there.
 void demandScope(const std::string& file, Dictionary dictionary, const std::vector<std::string>& path) {
-    for (std::size_t i = 0; i + 1 < path.size(); ++i) dictionary = Dictionary(dictionary.subDict(path[i]));
+    std::string around;
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        dictionary = Dictionary(dictionary.subDict(path[i]));
+        around += path[i] + "/";
+    }
     const std::string& key = path.back();
     const auto dot = key.find('.');
     if (dot == std::string::npos || dictionary.found(key)) return;
     const std::string scope = key.substr(0, dot), entry = key.substr(dot + 1);
-    throw UserError("there is no dictionary '" + scope + "' for entry '" + entry + "': add it first, -entry " + scope +
-                        " -set '{ " + entry + " ...; }'. A keyword with a dot is written in quotes, -entry '\"" + key + "\"'",
+    throw UserError("there is no dictionary '" + scope + "' for entry '" + entry + "': add it first, -entry " + around + scope +
+                        " -set '{ " + entry + " ...; }'. A keyword with a dot is written in quotes, -entry '" + around + "\"" + key + "\"'",
                     {file, 0});
 }
 
@@ -99,7 +108,7 @@ int main(int argc, char** argv) {
             const Dictionary dictionary = Dictionary::read(file);
             const auto path = options.found("entry") ? pathOf(options.get("entry"), dictionary)
                                                      : std::vector<std::string>{};
-            if (changes > 0 && !options.found("remove") && !isQuoted(options.get("entry"))) demandScope(file, dictionary, path);
+            if (changes > 0 && !options.found("remove") && !isQuoted(lastName(options.get("entry")))) demandScope(file, dictionary, path);
             if (changes > 0)
                 change(options, file, path);
             else

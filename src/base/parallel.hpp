@@ -49,7 +49,7 @@ double sumOver(int n, const Value& value) {
 template <class Work>
 void forAll(int n, const Work& work) {
     std::vector<std::exception_ptr> failed(n);
-#pragma omp parallel for schedule(static, 1)
+#pragma omp parallel for schedule(static, 1) if (n > 1)  // a single one has its own loops in parallel
     for (int k = 0; k < n; ++k) {
         try {
             work(k);

@@ -190,8 +190,9 @@ std::string indentAt(const std::string& text, std::size_t at) {
 std::string inserted(std::string text, const Scope& scope, const std::string& key, const std::string& value) {
     const auto entries = entriesOf(text, scope);
     const bool isDict = value.starts_with('{');
+    const std::string word = key.find_first_of("*|[]+?^$\\") == std::string::npos ? key : '"' + key + '"';  // patterns
     const std::string entry =
-        (key.size() < 15 && !isDict ? key + std::string(16 - key.size(), ' ') : key + " ") + value +
+        (word.size() < 15 && !isDict ? word + std::string(16 - word.size(), ' ') : word + " ") + value +
         (isDict ? "" : ";");
     if (entries.empty() && scope.top) return text + entry + "\n";
     if (entries.empty()) {

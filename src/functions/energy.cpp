@@ -32,12 +32,14 @@ void Energy<Dim>::start(const State<Dim>& state) {
     firstVolume_ = counted(state, "volume");
     flows_ = {};
     const auto found = state.memory.find(context_.name);
-    if (found != state.memory.end() && found->second.size() == 7) {
+    if (found != state.memory.end() && found->second.size() >= 5) {
         const auto& m = found->second;
         first_ = m[0];
         flows_ = {m[1], m[2], m[3], m[4]};
-        firstRemeshing_ = m[5];
-        firstVolume_ = m[6];
+        if (m.size() >= 7) {  // 5 in folders of older versions
+            firstRemeshing_ = m[5];
+            firstVolume_ = m[6];
+        }
     }
     time_ = state.time.value;
     powers_ = energyPowers<Dim>(*problem_, controls_, state);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/error.hpp"
+
 namespace pfem {
 
 Fronts makeFronts(const LowerColumns& A, const std::vector<Piece>& pieces) {
@@ -20,6 +22,8 @@ Fronts makeFronts(const LowerColumns& A, const std::vector<Piece>& pieces) {
         for (int s = A.start[front.first]; s < A.start[end]; ++s) take(A.row[s]);
         for (int c = 0; c < piece.nChildren; ++c, stack.pop_back()) {
             const Front& child = result.front[stack.back()];
+            if (child.nRows > 0 && result.row[child.rows] < front.first)
+                throw InternalError("a piece of the pressure matrix meets one that does not part it");
             for (int k = 0; k < child.nRows; ++k) take(result.row[child.rows + k]);
             if (child.nRows > 0 && result.row[child.rows] < A.nColumns()) ++front.nChildren;
         }

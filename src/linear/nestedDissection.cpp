@@ -16,12 +16,15 @@ public:
     Dissector(const MatrixGraph& graph, const Places<Dim>& place)
         : graph_(graph), half_(place.size(), 0), mate_(place.size(), -1), reached_(place.size(), 0) {
         site_.reserve(place.size());
+        double farthest = 0;
         for (int i = 0; i < static_cast<int>(place.size()); ++i) {
             double squared = 0;
             for (int s = graph.start[i]; s < graph.start[i + 1]; ++s)
                 squared = std::max(squared, (place[graph.neighbour[s]] - place[i]).squaredNorm());
             site_.push_back({place[i], 0, std::sqrt(squared) * (1 + 1e-9), i});
+            farthest = std::max(farthest, place[i].norm());
         }
+        for (Site& site : site_) site.reach += 1e-14 * farthest;  // round-off of places far from the origin
     }
 
     Dissection dissect() {

@@ -97,6 +97,8 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
     const double start = now();
     const auto& kinds = problem.conditions.kind;
     const auto topology = beginStep<Dim>(problem, report.dt, state);
+    if (state.nodes.v != last.nodes.v)  // what has landed moves on as its wall allows
+        state.energy["remeshing"] += fluidEnergy<Dim>(problem, state) - fluidEnergy<Dim>(problem, last);
     const auto constraints = constraintsOver<Dim>(0, report.dt, problem, state, topology);
 
     const double volume = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes);

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -231,6 +232,33 @@ TEST(NestedDissection, littleFillOnASquare) {
     std::iota(rowByRow.begin(), rowByRow.end(), 0);
     EXPECT_LT(fill(graph, order), 0.6 * fill(graph, rowByRow));
     EXPECT_LT(fill(graph, order), 24 * m * m);
+}
+
+// Far from the origin (geodetic coordinates) places have round-off of their own.
+TEST(NestedDissection, farFromTheOrigin) {
+    const int m = 60;
+    const MatrixGraph graph = squareOfTriangles(m);
+    for (const double offset : {1e3, 1e5, 1e7})
+        for (const double angle : {0.1, 0.7, 1.9}) {
+            Places<2> place;
+            const Eigen::Rotation2Dd turn(angle);
+            for (int i = 0; i < m * m; ++i)
+                place.push_back(turn * (1e-3 * Eigen::Vector2d(i % m, i / m)) + Eigen::Vector2d(offset, 2 * offset));
+            const auto [order, pieces] = nestedDissection<2>(graph, place);
+            LowerColumns A;
+            A.n = m * m;
+            std::vector<int> label(m * m);
+            for (int k = 0; k < m * m; ++k) label[order[k]] = k;
+            A.start.push_back(0);
+            for (int k = 0; k < m * m; ++k) {
+                A.row.push_back(k);
+                for (int s = graph.start[order[k]]; s < graph.start[order[k] + 1]; ++s)
+                    if (label[graph.neighbour[s]] > k) A.row.push_back(label[graph.neighbour[s]]);
+                A.start.push_back(static_cast<int>(A.row.size()));
+            }
+            A.value.assign(A.row.size(), 0.0);
+            EXPECT_NO_THROW(makeFronts(A, pieces)) << offset << " " << angle;
+        }
 }
 
 /// What a piece parts does not meet: an entry leads from a piece only to those that part it, or into itself.
