@@ -108,11 +108,12 @@ int main(int argc, char** argv) {
             const Dictionary dictionary = Dictionary::read(file);
             const auto path = options.found("entry") ? pathOf(options.get("entry"), dictionary)
                                                      : std::vector<std::string>{};
-            if (changes > 0 && !options.found("remove") && !isQuoted(lastName(options.get("entry")))) demandScope(file, dictionary, path);
-            if (changes > 0)
-                change(options, file, path);
-            else
+            if (changes == 0) {
                 show(options, dictionary, path);
+                return 0;
+            }
+            if (!options.found("remove") && !isQuoted(lastName(options.get("entry")))) demandScope(file, dictionary, path);
+            change(options, file, path);
             return 0;
         });
 }

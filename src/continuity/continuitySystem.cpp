@@ -1,6 +1,7 @@
 #include "continuity/continuitySystem.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "base/parallel.hpp"
 
@@ -200,14 +201,13 @@ std::vector<int> partsOfUnknowns(const SymmetricMatrix& A, const Places<Dim>& pl
     if (nParts < 2) return std::vector<int>(A.n, 0);
     std::array<std::vector<int>, Dim> part;
     std::array<int, Dim> parted{};
-#pragma omp parallel for schedule(static, 1)
-    for (int axis = 0; axis < Dim; ++axis) {
+    forAll(Dim, [&](int axis) {
         part[axis] = slabs<Dim>(place, nParts, axis);
         int count = 0;
         for (int j = 0; j < A.n; ++j)
             for (int s = A.start[j]; s < A.start[j + 1]; ++s) count += part[axis][A.row[s]] != part[axis][j];
         parted[axis] = count;
-    }
+    });
     return part[std::min_element(parted.begin(), parted.end()) - parted.begin()];
 }
 

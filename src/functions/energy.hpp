@@ -22,7 +22,8 @@ struct EnergyFlows {
 /// by remeshing (new connectivity, landing on walls) and by volume (lost by the equations, returned), and
 ///   numerical = total(0) + work + remeshing + volume - total - viscous - damper:
 /// for solids the error of the balance, for fluids what time integration, stabilisation and the iteration
-/// dissipate. Flows are integrated by the trapezoidal rule over every step (pfemPostProcess: over the written times).
+/// dissipate. Potential and total are those of gravity at the start: where it varies its work is in `numerical`.
+/// Flows are integrated by the trapezoidal rule over every step (pfemPostProcess: over the written times).
 template <int Dim>
 class Energy : public FunctionObject<Dim> {
 public:

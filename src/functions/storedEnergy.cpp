@@ -14,22 +14,6 @@ namespace pfem {
 
 namespace {
 
-/// Lumped mass of fluid, solid and drops.
-template <int Dim>
-std::vector<double> massOfNodes(const Problem<Dim>& problem, const State<Dim>& state,
-                                const Patches<Dim>& fluid) {
-    auto mass = fluidMass<Dim>(problem, state.mesh.fluid, fluid);
-    const auto solid = solidMass<Dim>(problem, state.mesh.solid, state.nodes.X);
-    const auto& materials = problem.materials;
-    const auto first = std::find_if(materials.begin(), materials.end(),
-                                    [](const Material& m) { return m.kind == MaterialKind::fluid; });
-    for (std::size_t i = 0; i < mass.size(); ++i) {
-        mass[i] += solid[i];
-        if (first != materials.end()) mass[i] += first->fluid.rho * state.nodes.dropVolume[i];
-    }
-    return mass;
-}
-
 template <int Dim>
 double contraction(const Patches<Dim>& patches, const std::vector<Tensor<Dim>>& stress,
                    const std::vector<Tensor<Dim>>& L) {
@@ -106,19 +90,13 @@ double elasticEnergy(const Problem<Dim>& problem, const Controls& controls, cons
 
 template <int Dim>
 StoredEnergy storedEnergy(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state) {
+    StoredEnergy energy = fluidEnergy<Dim>(problem, state);
+    energy.elastic += elasticEnergy<Dim>(problem, controls, state);
     const auto& nodes = state.nodes;
-    const auto around = nodeToCells<Dim>(state.mesh.fluid.nodes, nodes.size());
-    const auto fluid =
-        makePatches<Dim>(state.mesh.fluid.nodes, around, nodes.x, controls.integration.scheme());
-    const auto mass = massOfNodes<Dim>(problem, state, fluid);
-    StoredEnergy energy;
-    energy.elastic = elasticEnergy<Dim>(problem, controls, state);
+    const auto mass = solidMass<Dim>(problem, state.mesh.solid, nodes.X);
     for (int i = 0; i < nodes.size(); ++i) {
         energy.kinetic += 0.5 * mass[i] * nodes.v[i].squaredNorm();
         energy.potential -= mass[i] * problem.gravity.dot(nodes.x[i]);
-        if (around.count(i) == 0) continue;
-        const double kappa = problem.fluid(state.mesh.fluid.material[around.cell[around.start[i]]]).kappa;
-        energy.elastic += 0.5 * fluid.volume[i] * nodes.p[i] * nodes.p[i] / kappa;
     }
     return energy;
 }

@@ -2,17 +2,10 @@
 // Energies of a state and the powers that change them.
 
 #include "solver/controls.hpp"
+#include "solver/energyLedger.hpp"
 #include "state/problem.hpp"
 
 namespace pfem {
-
-/// [J/m (2D), J]
-struct StoredEnergy {
-    double kinetic = 0;    // sum m v^2/2
-    double elastic = 0;    // of the solids, and int p^2/(2 kappa) of the fluid
-    double potential = 0;  // - sum m g . x
-    double total() const { return kinetic + elastic + potential; }
-};
 
 /// [W/m (2D), W]
 struct EnergyPowers {
@@ -24,7 +17,7 @@ struct EnergyPowers {
 template <int Dim>
 double elasticEnergy(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state);
 
-/// Isolated particles count with their volume and the first fluid material.
+/// fluidEnergy() and that of the solids.
 template <int Dim>
 StoredEnergy storedEnergy(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state);
 

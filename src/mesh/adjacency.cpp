@@ -44,14 +44,14 @@ void writeSorted(const std::vector<Found>& found, int* to) {
     }
 }
 
-/// `open` (2D, may be null): per cell and local node, is the face opposite to it of no other cell?
+/// `open` (2D): per cell and local node, is the face opposite to it of no other cell?
 template <int Dim>
-NodeToNodes nodeToNodes(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around, std::vector<unsigned char>* open) {
+NodeToNodes nodeToNodes(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around, std::vector<unsigned char>& open) {
     const int nNodes = static_cast<int>(around.start.size()) - 1;
     std::vector<int> ring(around.cell.size() * Dim);  // of node i: from Dim * around.start[i] on
     NodeToNodes result;
     result.start.assign(around.start.size(), 0);
-    if (open != nullptr) open->assign(cells.size() * (Dim + 1), 0);
+    open.assign(cells.size() * (Dim + 1), 0);
 #pragma omp parallel if (cells.size() > shortLoop)
     {
         std::vector<Found> found;
@@ -71,10 +71,10 @@ NodeToNodes nodeToNodes(const std::vector<Simplex<Dim>>& cells, const NodeToCell
             writeSorted(found, ring.data() + static_cast<std::ptrdiff_t>(Dim) * around.start[i]);
             result.start[i + 1] = static_cast<int>(found.size());
             for (const Found& each : found) {
-                if (open == nullptr || Dim != 2 || each.times > 1 || each.node < i) continue;
+                if (Dim != 2 || each.times > 1 || each.node < i) continue;
                 const auto& s = cells[each.cell];
                 for (int k = 0; k <= Dim; ++k)
-                    if (s[k] != i && s[k] != each.node) (*open)[each.cell * (Dim + 1) + k] = 1;
+                    if (s[k] != i && s[k] != each.node) open[each.cell * (Dim + 1) + k] = 1;
             }
         }
     }
@@ -131,13 +131,9 @@ std::vector<BoundaryFace<Dim>> boundaryFaces(const std::vector<Simplex<Dim>>& ce
 
 template <int Dim>
 Surroundings<Dim> surroundings(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around) {
-    if constexpr (Dim == 2) {  // an edge in one triangle alone is a face without a neighbour
-        std::vector<unsigned char> open;
-        auto ring = nodeToNodes<Dim>(cells, around, &open);
-        return {std::move(ring), listOf<Dim>(cells, open)};
-    } else {
-        return {nodeToNodes<Dim>(cells, around, nullptr), boundaryFaces<Dim>(cells, around)};
-    }
+    std::vector<unsigned char> open;  // in the plane an edge of one triangle alone is a face without a neighbour
+    auto ring = nodeToNodes<Dim>(cells, around, open);
+    return {std::move(ring), Dim == 2 ? listOf<Dim>(cells, open) : boundaryFaces<Dim>(cells, around)};
 }
 
 #define PFEM_INSTANTIATE(D)                                                                                              \

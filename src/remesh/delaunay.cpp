@@ -110,8 +110,6 @@ struct Triangulator::Kept : MovedTriangulation {};
 
 Triangulator::Triangulator() : kept_(std::make_unique<Kept>()) {}
 Triangulator::~Triangulator() = default;
-Triangulator::Triangulator(Triangulator&&) noexcept = default;
-Triangulator& Triangulator::operator=(Triangulator&&) noexcept = default;
 
 Triangulation<2> Triangulator::triangulate(const Points<2>& points, const std::vector<Id>& ids,
                                            const std::vector<int>& active, const std::vector<Face<2>>& fixed,

@@ -21,8 +21,6 @@ class Triangulator {
 public:
     Triangulator();
     ~Triangulator();
-    Triangulator(Triangulator&&) noexcept;
-    Triangulator& operator=(Triangulator&&) noexcept;
 
     /// `ids`: what the points are called, ascending; `active`: those that take part, ascending; of points that coincide one
     /// stands for all, in cells and in faces. `fixed`: faces that must appear (walls, solids). `wished`: faces that appear unless they would

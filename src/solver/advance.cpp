@@ -98,7 +98,7 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
     const auto& kinds = problem.conditions.kind;
     const auto topology = beginStep<Dim>(problem, report.dt, state);
     if (state.nodes.v != last.nodes.v)  // what has landed moves on as its wall allows
-        state.energy["remeshing"] += fluidEnergy<Dim>(problem, state) - fluidEnergy<Dim>(problem, last);
+        state.energy["remeshing"] += fluidEnergy<Dim>(problem, state).total() - fluidEnergy<Dim>(problem, last).total();
     const auto constraints = constraintsOver<Dim>(0, report.dt, problem, state, topology);
 
     const double volume = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes);
@@ -119,7 +119,7 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
     state.ledger["solver"] += moved - volume - correction;
     const double stepped = now();
     report.seconds[0] += stepped - start;
-    const double energy = fluidEnergy<Dim>(problem, state);
+    const double energy = fluidEnergy<Dim>(problem, state).total();
 
     try {
         if (problem.conditions.anyMotion()) standOnWalls(state.mesh, wallPatches(kinds), state.nodes);
@@ -136,7 +136,7 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
                                           ? topology
                                           : withWalls<Dim>(state.mesh, kinds, state.nodes.wall, topology),
                                       report.dt, triangulator, state);
-        state.energy["remeshing"] += fluidEnergy<Dim>(problem, state) - energy;
+        state.energy["remeshing"] += fluidEnergy<Dim>(problem, state).total() - energy;
     } catch (const StepFailure& failure) {  // the new mesh is unfinished
         throw FailedStep<Dim>(failure, withNodesOf<Dim>(last, state.nodes));
     }

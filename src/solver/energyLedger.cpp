@@ -18,22 +18,28 @@ double specificEnergy(const Problem<Dim>& problem, const Nodes<Dim>& nodes, int 
 }  // namespace
 
 template <int Dim>
-double fluidEnergy(const Problem<Dim>& problem, const State<Dim>& state) {
+StoredEnergy fluidEnergy(const Problem<Dim>& problem, const State<Dim>& state) {
     const auto& nodes = state.nodes;
     const auto& cells = state.mesh.fluid;
-    double sum = sumOver(cells.size(), [&](int e) {
-        const ViscousFluid& fluid = problem.fluid(cells.material[e]);
-        double ofNodes = 0;
-        for (const int i : cells.nodes[e])
-            ofNodes += fluid.rho * specificEnergy<Dim>(problem, nodes, i) + 0.5 * nodes.p[i] * nodes.p[i] / fluid.kappa;
-        return simplexMeasure<Dim>(nodes.x, cells.nodes[e]) / (Dim + 1) * ofNodes;
-    });
+    const auto sumOfCells = [&](const auto& density) {  // density(fluid, node) [J/m3]
+        return sumOver(cells.size(), [&](int e) {
+            double ofNodes = 0;
+            for (const int i : cells.nodes[e]) ofNodes += density(problem.fluid(cells.material[e]), i);
+            return simplexMeasure<Dim>(nodes.x, cells.nodes[e]) / (Dim + 1) * ofNodes;
+        });
+    };
+    StoredEnergy energy;
+    energy.kinetic = sumOfCells([&](const ViscousFluid& fluid, int i) { return 0.5 * fluid.rho * nodes.v[i].squaredNorm(); });
+    energy.potential = -sumOfCells([&](const ViscousFluid& fluid, int i) { return fluid.rho * problem.gravity.dot(nodes.x[i]); });
+    energy.elastic = sumOfCells([&](const ViscousFluid& fluid, int i) { return 0.5 * nodes.p[i] * nodes.p[i] / fluid.kappa; });
     const auto first = std::find_if(problem.materials.begin(), problem.materials.end(),
                                     [](const Material& m) { return m.kind == MaterialKind::fluid; });
-    if (first == problem.materials.end()) return sum;
-    for (int i = 0; i < nodes.size(); ++i)
-        if (nodes.dropVolume[i] != 0) sum += first->fluid.rho * nodes.dropVolume[i] * specificEnergy<Dim>(problem, nodes, i);
-    return sum;
+    for (int i = 0; first != problem.materials.end() && i < nodes.size(); ++i) {
+        const double mass = first->fluid.rho * nodes.dropVolume[i];
+        energy.kinetic += 0.5 * mass * nodes.v[i].squaredNorm();
+        energy.potential -= mass * problem.gravity.dot(nodes.x[i]);
+    }
+    return energy;
 }
 
 template <int Dim>
@@ -50,7 +56,7 @@ double volumeEnergy(const Problem<Dim>& problem, const Cells<Dim>& cells, const 
     return sum;
 }
 
-template double fluidEnergy<2>(const Problem<2>&, const State<2>&);
+template StoredEnergy fluidEnergy<2>(const Problem<2>&, const State<2>&);
 template double volumeEnergy<2>(const Problem<2>&, const Cells<2>&, const Nodes<2>&, const Nodes<2>&,
                                 const std::vector<double>&);
 

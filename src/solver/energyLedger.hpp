@@ -6,9 +6,17 @@
 
 namespace pfem {
 
-/// Kinetic and potential energy of the fluid with its lumped mass, of drops, and int p^2/(2 kappa) [J/m (2D), J].
+/// [J/m (2D), J]
+struct StoredEnergy {
+    double kinetic = 0;    // sum m v^2/2
+    double elastic = 0;    // of the solids, and int p^2/(2 kappa) of the fluid
+    double potential = 0;  // - sum m g . x
+    double total() const { return kinetic + elastic + potential; }
+};
+
+/// Of the fluid with its lumped mass, sum_e |e|/(d+1) sum_I ..., and of drops, which are of the first fluid.
 template <int Dim>
-double fluidEnergy(const Problem<Dim>& problem, const State<Dim>& state);
+StoredEnergy fluidEnergy(const Problem<Dim>& problem, const State<Dim>& state);
 
 /// What a step's change of volume has brought in with one connectivity, from `old` to `now` [J/m (2D), J]:
 /// sum_I rho (v^2/2 - g . x) dOmega_I, mean of both, and the work p_I `returned`_I against the pressure.

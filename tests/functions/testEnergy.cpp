@@ -102,7 +102,7 @@ TEST(Energy, OfAddedVolume) {
     Nodes<2> old = c.state.nodes, now = c.state.nodes;
     for (int i = 0; i < now.size(); ++i) {
         old.v[i] = now.v[i] = {3, 4};
-        now.p[i] = 50;
+        now.p[i] = 2.1e6;
         now.x[i][0] *= 1.01;  // 0.01 m2, with its centre at a height of 2.5 m
     }
     const std::vector<double> nothing(now.size(), 0.0);
@@ -110,10 +110,15 @@ TEST(Energy, OfAddedVolume) {
     asked[0] = 0.004;
     const double added = volumeEnergy<2>(c.problem, c.state.mesh.fluid, old, now, nothing);
     EXPECT_NEAR(added, 1000 * 0.01 * (12.5 + 10 * 2.5), 1e-9);
-    EXPECT_NEAR(volumeEnergy<2>(c.problem, c.state.mesh.fluid, old, now, asked) - added, 50 * 0.004, 1e-9);
+    EXPECT_NEAR(volumeEnergy<2>(c.problem, c.state.mesh.fluid, old, now, asked) - added, 2.1e6 * 0.004, 1e-6);
     c.state.nodes = now;
-    const auto stored = storedEnergy<2>(c.problem, c.controls, c.state);
-    EXPECT_NEAR(fluidEnergy<2>(c.problem, c.state), stored.total(), 1e-9 * stored.total());
+    const auto stored = fluidEnergy<2>(c.problem, c.state);
+    EXPECT_NEAR(stored.kinetic, 1010 * 12.5, 1e-6);
+    EXPECT_NEAR(stored.potential, 1010 * 10 * 2.5, 1e-6);
+    EXPECT_NEAR(stored.elastic, 1.01 * 0.5 * 2.1e6 * 1e-3, 1e-6);  // p/kappa = 1e-3
+    const auto drop = static_cast<std::size_t>(now.size() - 1);
+    c.state.nodes.dropVolume[drop] = 0.1;
+    EXPECT_NEAR(fluidEnergy<2>(c.problem, c.state).total() - stored.total(), 100 * (12.5 + 10 * now.x[drop][1]), 1e-6);
 }
 
 // A block of water in free fall: nothing is dissipated, potential becomes kinetic.
