@@ -23,6 +23,7 @@ struct RemeshingControls {
     double cornerDistance = 0.2;
     bool keepSurface = true;
     double distortion = 0;
+    double surfaceShift = 0;
 
     template <class Visitor>
     void entries(Visitor& v) {
@@ -51,6 +52,9 @@ struct RemeshingControls {
           "suction / (rho (g h + v^2/2) + mu v/h) at which the contact line lets go of a rigid wall", nonNegative);
         v("keepSurface", keepSurface, "-",
           "the moved free surface constrains the triangulation: only contacts and breaks change the volume", any);
+        v("surfaceShift", surfaceShift, "-",
+          "distance / h by which a free-surface node may give way in a step to volume that it has lost or gained; 0 = never",
+          nonNegative);
         v("distortion", distortion, "-",
           "remesh when the least quality of a fluid triangle falls below this; 0 = every step", nonNegative);
     }

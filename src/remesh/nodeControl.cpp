@@ -87,6 +87,8 @@ private:
             if (locked_[j] && !kept_[j]) continue;
             // a node on a wall gives way only to its neighbours along the wall
             if (slides && !moved_.topology.onWall[j] && !kept_[j]) continue;
+            // and the contact line to none that is under water: that one can go without a change of volume
+            if (slides && moved_.topology.freeSurface[i] && !moved_.topology.freeSurface[j] && !kept_[j]) continue;
             if (crowds(j, moved_.x[i], h_[i], surface)) return true;
         }
         return false;

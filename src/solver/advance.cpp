@@ -8,6 +8,7 @@
 #include "base/parallel.hpp"
 #include "continuity/residual.hpp"
 #include "mesh/standing.hpp"
+#include "remesh/giveWay.hpp"
 #include "remesh/lostVolume.hpp"
 #include "remesh/penetration.hpp"
 #include "remesh/wallContact.hpp"
@@ -123,8 +124,11 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
 
     try {
         if (problem.conditions.anyMotion()) standOnWalls(state.mesh, wallPatches(kinds), state.nodes);
+        giveWay<Dim>(controls.remeshing, topology, returned, state);
+        const double shifted = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes);
+        state.ledger["surface"] += shifted - moved;
         releaseFromWalls<Dim>(controls.remeshing, topology, problem.gravity, heaviestFluid<Dim>(problem), state.nodes);
-        state.ledger["released"] += cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes) - moved;
+        state.ledger["released"] += cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes) - shifted;
         landOnWalls<Dim>(controls.remeshing, topology, xOld, state);
         report.returned = returnPenetrating<Dim>(topology, controls.remeshing.wallDistance, state);
         const auto& cells = state.mesh.fluid.nodes;
