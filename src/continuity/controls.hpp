@@ -17,7 +17,7 @@ struct ContinuityControls {
     std::string freeSurfacePressure = "weak";
     std::string stabilisation = "inertia";
     bool interfaceAcceleration = true;
-    double volumeReturnTime = 0.02;
+    double volumeReturnTime = 0;
     double volumeCorrectionTime = 0;
 
     template <class Visitor>
@@ -39,8 +39,8 @@ struct ContinuityControls {
         v("interfaceAcceleration", interfaceAcceleration, "-",
           "with bodyForce: moving solids and walls enter the stabilisation with their normal acceleration", any);
         v("volumeReturnTime", volumeReturnTime, "s",
-          "time scale within which volume that was lost or gained is returned where it happened, at least four steps; "
-          "0 = never",
+          "time scale of a local correction: what the surface's shift (remeshing) has not returned comes back through the "
+          "continuity equation, in no less than four steps; 0 = none",
           nonNegative);
         v("volumeCorrectionTime", volumeCorrectionTime, "s",
           "time scale of a correction that returns the whole fluid's volume by a uniform divergence; 0 = none",

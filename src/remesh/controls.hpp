@@ -23,7 +23,7 @@ struct RemeshingControls {
     double cornerDistance = 0.2;
     bool keepSurface = true;
     double distortion = 0;
-    double surfaceShift = 0;
+    double surfaceShift = 0.05;
 
     template <class Visitor>
     void entries(Visitor& v) {
@@ -53,7 +53,8 @@ struct RemeshingControls {
         v("keepSurface", keepSurface, "-",
           "the moved free surface constrains the triangulation: only contacts and breaks change the volume", any);
         v("surfaceShift", surfaceShift, "-",
-          "distance / h by which a free-surface node may give way in a step to volume that it has lost or gained; 0 = never",
+          "distance / h that a free-surface node may shift in a step to make up for volume that was lost or gained around "
+          "it; 0 = none",
           nonNegative);
         v("distortion", distortion, "-",
           "remesh when the least quality of a fluid triangle falls below this; 0 = every step", nonNegative);

@@ -1,6 +1,6 @@
 #include "remesh/giveWay.hpp"
 
-#include <algorithm>
+#include <cmath>
 
 #include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
@@ -9,61 +9,73 @@ namespace pfem {
 
 namespace {
 
-/// a_I: how the volume of the cells grows when the node moves; zero inside.
+/// Nodes of the free surface that may move: not those of solids and patches (corners of walls, planes of symmetry).
 template <int Dim>
-Vec<Dim> outwardArea(const Topology<Dim>& topology, const std::vector<Simplex<Dim>>& cells, const Points<Dim>& x, int i) {
+std::vector<int> movableSurface(const Topology<Dim>& topology, const Mesh<Dim>& mesh) {
+    std::vector<unsigned char> stays(topology.nNodes(), 0);
+    for (const auto& patch : mesh.patches)
+        for (const auto& face : patch.faces)
+            for (int node : face) stays[node] = 1;
+    std::vector<int> surface;
+    for (int i = 0; i < topology.nNodes(); ++i)
+        if (topology.freeSurface[i] && !topology.held(i) && !stays[i]) surface.push_back(i);
+    return surface;
+}
+
+/// a_I = sum_e |e| grad N_I: how the volume of the cells grows when the node moves; on a wall its part along the wall.
+template <int Dim>
+Vec<Dim> outwardArea(const Topology<Dim>& topology, const std::vector<Simplex<Dim>>& cells, const Nodes<Dim>& nodes, int i) {
     Vec<Dim> area = Vec<Dim>::Zero();
     for (int s = topology.fluid.start[i]; s < topology.fluid.start[i + 1]; ++s)
-        area -= faceArea<Dim>(x, oppositeFace<Dim>(cells[topology.fluid.cell[s]], topology.fluid.corner[s])) / Dim;
-    return area;
-}
-
-/// In which directions the node may move: freely, or along the wall that it slides along.
-template <int Dim>
-Vec<Dim> allowed(const Topology<Dim>& topology, const Nodes<Dim>& nodes, int i, const Vec<Dim>& direction) {
-    if (nodes.wall[i] < 0) return direction;
+        area -= faceArea<Dim>(nodes.x, oppositeFace<Dim>(cells[topology.fluid.cell[s]], topology.fluid.corner[s])) / Dim;
+    if (nodes.wall[i] < 0) return area;
     const Vec<Dim> n = faceArea<Dim>(nodes.x, topology.walls[nodes.wall[i]].nodes).normalized();
-    return direction - direction.dot(n) * n;
+    return area - area.dot(n) * n;
 }
 
+/// lost a/|a|^2, no longer than `limit`.
 template <int Dim>
-Vec<Dim> shift(const RemeshingControls& controls, const Topology<Dim>& topology, const State<Dim>& state, int i,
-                double lost) {
-    const auto& nodes = state.nodes;
-    const double limit = controls.surfaceShift * nodes.h[i];
-    const Vec<Dim> area = allowed<Dim>(topology, nodes, i, outwardArea<Dim>(topology, state.mesh.fluid.nodes, nodes.x, i));
+Vec<Dim> shift(double lost, const Vec<Dim>& area, double limit) {
     const double size = area.norm();
-    if (std::abs(lost) >= limit * size) return size > 0 ? Vec<Dim>(area * (std::copysign(limit, lost) / size)) : area;
-    return area * (lost / (size * size));
+    if (size == 0) return Vec<Dim>::Zero();
+    return area / size * (std::abs(lost) < limit * size ? lost / size : std::copysign(limit, lost));
+}
+
+/// Put the nodes of cells that would lose more than half of their volume back to x, until there is no such cell.
+template <int Dim>
+void holdBack(const NodeToCells& around, const std::vector<Simplex<Dim>>& cells, const std::vector<int>& surface,
+              const Points<Dim>& x, Points<Dim>& shifted) {
+    for (bool again = true; again;) {
+        again = false;
+        for (int i : surface)
+            for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
+                const auto& cell = cells[around.cell[s]];
+                if (simplexMeasure<Dim>(shifted, cell) >= 0.5 * simplexMeasure<Dim>(x, cell)) continue;
+                for (int node : cell) {
+                    again = again || shifted[node] != x[node];
+                    shifted[node] = x[node];
+                }
+            }
+    }
 }
 
 }  // namespace
 
 template <int Dim>
-void giveWay(const RemeshingControls& controls, const Topology<Dim>& topology,
-             const std::vector<double>& returned, State<Dim>& state) {
+void giveWay(const RemeshingControls& controls, const Topology<Dim>& topology, const std::vector<double>& returned,
+             State<Dim>& state) {
     if (controls.surfaceShift == 0) return;
-    auto& nodes = state.nodes;
+    Nodes<Dim>& nodes = state.nodes;
     const auto& cells = state.mesh.fluid.nodes;
-    std::vector<int> surface;
-    for (int i = 0; i < nodes.size(); ++i)
-        if (topology.freeSurface[i] && !topology.held(i)) surface.push_back(i);
-    const Points<Dim> x = nodes.x;
-    std::vector<unsigned char> stays(nodes.size(), 0);
-    Points<Dim> dx(surface.size());
-    forEach(static_cast<int>(surface.size()), [&](int k) { dx[k] = shift<Dim>(controls, topology, state, surface[k], nodes.lostVolume[surface[k]] - returned[surface[k]]); });
-    for (bool done = false; !done;) {
-        done = true;
-        for (std::size_t k = 0; k < surface.size(); ++k)
-            nodes.x[surface[k]] = stays[surface[k]] ? x[surface[k]] : Vec<Dim>(x[surface[k]] + dx[k]);
-        for (int i : surface)
-            for (int s = topology.fluid.start[i]; !stays[i] && s < topology.fluid.start[i + 1]; ++s) {
-                const auto& cell = cells[topology.fluid.cell[s]];
-                if (simplexMeasure<Dim>(nodes.x, cell) >= 0.5 * simplexMeasure<Dim>(x, cell)) continue;
-                for (int node : cell) stays[node] = 1;
-                done = false;
-            }
-    }
+    const auto surface = movableSurface<Dim>(topology, state.mesh);
+    Points<Dim> shifted = nodes.x;
+    forEach(static_cast<int>(surface.size()), [&](int k) {
+        const int i = surface[k];
+        shifted[i] += shift<Dim>(nodes.lostVolume[i] - returned[i], outwardArea<Dim>(topology, cells, nodes, i),
+                                 controls.surfaceShift * nodes.h[i]);
+    });
+    holdBack<Dim>(topology.fluid, cells, surface, nodes.x, shifted);
+    nodes.x = std::move(shifted);
 }
 
 template void giveWay<2>(const RemeshingControls&, const Topology<2>&, const std::vector<double>&, State<2>&);

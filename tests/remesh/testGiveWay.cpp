@@ -1,0 +1,112 @@
+// The free surface gives way to what was lost or gained around its nodes.
+
+#include "remesh/giveWay.hpp"
+
+#include <gtest/gtest.h>
+
+#include "remesh/lostVolume.hpp"
+#include "support/cases.hpp"
+
+using namespace pfem;
+using namespace pfem::test;
+
+namespace {
+
+/// Water with an uneven surface in a tank; `free`: a node in the middle of the surface.
+struct Tank {
+    TestCase c = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.5) +
+                              " } ); walls ( tank { points ((0 1) (0 0) (1 0) (1 1)); } );",
+                          water, "tank { type slip; }");
+    Topology<2> topology = c.topology();
+    const double h = 0.1;
+
+    Tank() {
+        for (auto& x : c.state.nodes.x)
+            if (x[1] > 0.49) x[1] += 0.03 * std::sin(7 * x[0]);
+        topology = c.topology();
+    }
+    double area() const { return cellVolume<2>(c.state.nodes.x, c.state.mesh.fluid.nodes); }
+    int surfaceNode(double x) const {
+        for (int i = 0; i < c.state.nodes.size(); ++i)
+            if (topology.freeSurface[i] && std::abs(c.state.nodes.x[i][0] - x) < 1e-6) return i;
+        throw std::runtime_error("no such node");
+    }
+    void shift() {
+        giveWay<2>(c.controls.remeshing, topology, std::vector<double>(c.state.nodes.id.size(), 0.0), c.state);
+    }
+};
+
+TEST(GiveWay, aNodeBringsWhatItLacks) {
+    for (const double lost : {2e-4, -2e-4}) {
+        Tank t;
+        const int i = t.surfaceNode(0.5);
+        const double before = t.area();
+        const Points<2> x = t.c.state.nodes.x;
+        t.c.state.nodes.lostVolume[i] = lost;
+        t.shift();
+        EXPECT_NEAR(t.area() - before, lost, 1e-15);  // the area is linear in the place of one node
+        EXPECT_EQ(t.c.state.nodes.x[i][1] > x[i][1], lost > 0);
+        for (int j = 0; j < t.c.state.nodes.size(); ++j) {
+            if (j != i) {
+                EXPECT_EQ(t.c.state.nodes.x[j], x[j]);
+            }
+        }
+        chargeMotion<2>(t.topology.fluid, t.c.state.mesh.fluid.nodes, x, t.c.state.nodes);
+        double left = 0;
+        for (double amount : t.c.state.nodes.lostVolume) left += amount;
+        EXPECT_NEAR(left, 0, 1e-15);
+    }
+}
+
+TEST(GiveWay, noFartherThanTheLimit) {
+    Tank t;
+    const int i = t.surfaceNode(0.5);
+    const Vec<2> x = t.c.state.nodes.x[i];
+    t.c.state.nodes.lostVolume[i] = 1;
+    t.shift();
+    EXPECT_NEAR((t.c.state.nodes.x[i] - x).norm(), t.c.controls.remeshing.surfaceShift * t.h, 1e-15);
+}
+
+TEST(GiveWay, alongTheWallAtTheContactLine) {
+    Tank t;
+    const int i = t.surfaceNode(0);
+    ASSERT_GE(t.c.state.nodes.wall[i], 0);
+    const double before = t.area();
+    const Vec<2> x = t.c.state.nodes.x[i];
+    t.c.state.nodes.lostVolume[i] = 1e-4;
+    t.shift();
+    EXPECT_EQ(t.c.state.nodes.x[i][0], 0);
+    EXPECT_GT(t.c.state.nodes.x[i][1], x[1]);
+    EXPECT_NEAR(t.area() - before, 1e-4, 1e-15);
+}
+
+TEST(GiveWay, nothingInsideAtWallsOrInDrops) {
+    Tank t;
+    const Points<2> x = t.c.state.nodes.x;
+    for (int i = 0; i < t.c.state.nodes.size(); ++i)
+        if (!t.topology.freeSurface[i]) t.c.state.nodes.lostVolume[i] = 1e-3;
+    t.shift();
+    EXPECT_EQ(t.c.state.nodes.x, x);
+    t.c.controls.remeshing.surfaceShift = 0;
+    t.c.state.nodes.lostVolume.assign(t.c.state.nodes.id.size(), 1e-3);
+    t.shift();
+    EXPECT_EQ(t.c.state.nodes.x, x);
+}
+
+TEST(GiveWay, noCellLosesMoreThanHalf) {
+    Tank t;
+    const int i = t.surfaceNode(0.5);
+    const int cell = t.topology.fluid.cell[t.topology.fluid.start[i]];
+    for (int node : t.c.state.mesh.fluid.nodes[cell])  // a flat cell under the surface
+        if (node != i && !t.topology.freeSurface[node]) t.c.state.nodes.x[node][1] = t.c.state.nodes.x[i][1] - 0.004;
+    const Points<2> x = t.c.state.nodes.x;
+    t.c.state.nodes.lostVolume[i] = -1;
+    t.shift();
+    for (const auto& s : t.c.state.mesh.fluid.nodes)
+        if (simplexMeasure<2>(x, s) > 0) {
+            EXPECT_GE(simplexMeasure<2>(t.c.state.nodes.x, s), 0.5 * simplexMeasure<2>(x, s));
+        }
+    EXPECT_EQ(t.c.state.nodes.x[i], x[i]);
+}
+
+}  // namespace
