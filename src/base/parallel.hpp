@@ -28,20 +28,21 @@ int firstOf(int n, const Holds& holds) {
 }
 
 /// value(0) + ... + value(n - 1), in parallel where they are many: sums of blocks, so that the bits do not depend on
-/// the number of threads.
+/// the number of threads. Numbers, or anything that begins with zero and has +=.
 template <class Value>
-double sumOver(int n, const Value& value) {
+auto sumOver(int n, const Value& value) {
+    using Sum = decltype(value(0));
     constexpr int block = 512;
     const int nBlocks = (n + block - 1) / block;
-    std::vector<double> sums(nBlocks);
+    std::vector<Sum> sums(nBlocks);
 #pragma omp parallel for schedule(static) if (n > shortLoop)
     for (int b = 0; b < nBlocks; ++b) {
-        double sum = 0;
+        Sum sum{};
         for (int i = b * block; i < n && i < (b + 1) * block; ++i) sum += value(i);
         sums[b] = sum;
     }
-    double total = 0;
-    for (const double sum : sums) total += sum;
+    Sum total{};
+    for (const Sum& sum : sums) total += sum;
     return total;
 }
 

@@ -11,6 +11,12 @@
 
 namespace pfem {
 
+namespace {
+
+constexpr int lanes = 8;
+
+}  // namespace
+
 PFEM_WIDE bool factorColumns(double* F, int m, int width) {
     for (int k = 0; k < width; ++k) {
         double* const column = F + static_cast<long>(k) * m;
@@ -38,7 +44,7 @@ PFEM_WIDE void subtractProduct(double* U, int r, const double* F, int m, int wid
         const double da = F[static_cast<long>(k) * m + k], db = F[static_cast<long>(k + 1) * m + k + 1];
         const double dc = F[static_cast<long>(k + 2) * m + k + 2], dd = F[static_cast<long>(k + 3) * m + k + 3];
         for (int j = 0; j < r; ++j) {
-            double* const u = U + static_cast<long>(j) * r;
+            double* const u = U + packedColumn(j, r);
             const double ca = da * a[j], cb = db * b[j], cc = dc * c[j], cd = dd * d[j];
             for (int i = j; i < r; ++i) u[i] -= (ca * a[i] + cb * b[i]) + (cc * c[i] + cd * d[i]);
         }
@@ -47,10 +53,49 @@ PFEM_WIDE void subtractProduct(double* U, int r, const double* F, int m, int wid
         const double* const a = below + static_cast<long>(k) * m;
         const double da = F[static_cast<long>(k) * m + k];
         for (int j = 0; j < r; ++j) {
-            double* const u = U + static_cast<long>(j) * r;
+            double* const u = U + packedColumn(j, r);
             const double ca = da * a[j];
             for (int i = j; i < r; ++i) u[i] -= ca * a[i];
         }
+    }
+}
+
+void storeColumns(const double* F, int m, int width, float* to) {
+    for (long k = 0; k < static_cast<long>(m) * width; ++k) to[k] = static_cast<float>(F[k]);
+}
+
+PFEM_WIDE void eliminateColumns(const float* L, int m, int width, double* own, double* below) {
+    const int r = m - width;
+    for (int k = 0; k < width; ++k) {
+        const float* const column = L + static_cast<long>(k) * m;
+        for (int i = k + 1; i < width; ++i) own[i] -= column[i] * own[k];
+    }
+    int k = 0;
+    for (; k + 4 <= width; k += 4) {
+        const float* const a = L + static_cast<long>(k) * m + width;
+        const float *const b = a + m, *const c = b + m, *const d = c + m;
+        const double ya = own[k], yb = own[k + 1], yc = own[k + 2], yd = own[k + 3];
+        for (int i = 0; i < r; ++i) below[i] += (a[i] * ya + b[i] * yb) + (c[i] * yc + d[i] * yd);
+    }
+    for (; k < width; ++k) {
+        const float* const a = L + static_cast<long>(k) * m + width;
+        for (int i = 0; i < r; ++i) below[i] += a[i] * own[k];
+    }
+}
+
+PFEM_WIDE void substituteColumns(const float* L, int m, int width, const double* below, double* own) {
+    const int r = m - width;
+    for (int k = width - 1; k >= 0; --k) {
+        const float* const column = L + static_cast<long>(k) * m;
+        double sums[lanes] = {};  // side by side, so that they need not wait for each other
+        int i = 0;
+        for (; i + lanes <= r; i += lanes)
+            for (int l = 0; l < lanes; ++l) sums[l] += column[width + i + l] * below[i + l];
+        for (; i < r; ++i) sums[i % lanes] += column[width + i] * below[i];
+        double sum = 0;
+        for (int l = 0; l < lanes; ++l) sum += sums[l];
+        for (i = k + 1; i < width; ++i) sum += column[i] * own[i];
+        own[k] = own[k] / column[k] - sum;
     }
 }
 

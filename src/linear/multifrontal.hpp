@@ -9,7 +9,8 @@
 namespace pfem {
 
 /// A = L D L^T without pivoting, multifrontal: each front takes up what its children leave, eliminates its
-/// columns and leaves the rest. The last unknowns can stay: what remains of them is their Schur complement.
+/// columns and leaves the rest. The last unknowns can stay: what remains of them is their Schur complement. Computed in double
+/// precision and kept in single: solutions, which wait for the memory, are good to about 1e-7 of the condition number.
 class Multifrontal {
 public:
     /// Factor the unknowns that have columns, piece by piece. Entries between the last ones are not looked at. Throws
@@ -28,7 +29,7 @@ public:
 private:
     Fronts fronts_;
     std::vector<std::size_t> start_;  // of each front's block in values_
-    std::vector<double> values_;      // by columns: D and L of the front's columns, then the rows below
+    Eigen::VectorXf values_;          // by columns: D and L of the front's columns, then the rows below
     Eigen::MatrixXd lastBlock_;
 };
 

@@ -9,6 +9,7 @@ namespace pfem {
 namespace {
 
 constexpr int smallPiece = 12;  // dense elimination is quicker than further parting
+constexpr int sampleSize = 255, fewSites = 2000;  // fewer are halved exactly, others by the median of a sample
 
 template <int Dim>
 class Dissector {
@@ -92,10 +93,25 @@ private:
         });
     }
 
+    /// Two halves of about equal number, parted along the cut's normal: where the second begins and how far along it lies.
+    std::pair<int, double> halve(int begin, int end) {
+        if (end - begin < fewSites) {
+            const int middle = begin + (end - begin) / 2;
+            std::nth_element(site_.begin() + begin, site_.begin() + middle, site_.begin() + end);
+            return {middle, site_[middle].along};
+        }
+        sample_.clear();
+        for (int k = 0; k < sampleSize; ++k)
+            sample_.push_back(site_[begin + static_cast<std::ptrdiff_t>(end - begin) * k / sampleSize]);
+        std::nth_element(sample_.begin(), sample_.begin() + sampleSize / 2, sample_.end());
+        const Site median = sample_[sampleSize / 2];
+        const auto second = std::partition(site_.begin() + begin, site_.begin() + end, [&](const Site& s) { return s < median; });
+        return {static_cast<int>(second - site_.begin()), median.along};
+    }
+
     /// The fewest sites without which the halves do not meet (Koenig: as many as pairs can be made), ascending.
-    void chooseBorder(int begin, int middle, int end) {
+    void chooseBorder(int begin, int middle, int end, double cut) {
         facing_.clear();
-        const double cut = site_[middle].along;
         for (int k = begin; k < end; ++k) {
             if (std::abs(site_[k].along - cut) > site_[k].reach) continue;
             const int unknown = site_[k].unknown;
@@ -118,11 +134,10 @@ private:
     std::pair<int, int> part(int begin, int end) {
         const Vector d = direction(begin, end);
         for (int k = begin; k < end; ++k) site_[k].along = d.dot(site_[k].x);
-        const int middle = begin + (end - begin) / 2;
-        std::nth_element(site_.begin() + begin, site_.begin() + middle, site_.begin() + end);
+        const auto [middle, cut] = halve(begin, end);
         nHalves_ += 2;
         for (int k = begin; k < end; ++k) half_[site_[k].unknown] = nHalves_ + (k >= middle);
-        chooseBorder(begin, middle, end);
+        chooseBorder(begin, middle, end, cut);
         if (facing_.empty()) return {middle, end};
         moved_.clear();
         for (const int k : facing_) {
@@ -152,7 +167,7 @@ private:
     }
 
     const MatrixGraph& graph_;
-    std::vector<Site> site_, moved_;
+    std::vector<Site> site_, moved_, sample_;
     // per unknown
     std::vector<int> half_;     // a number of its own for each half, even for first ones; 0 in a border
     std::vector<int> mate_;     // the unknown of the other half it is paired with, or -1

@@ -28,21 +28,35 @@ NodeToCells nodeToCells(const std::vector<Simplex<Dim>>& cells, int nNodes) {
 
 namespace {
 
-/// The neighbours of one node, as they are found in the cells around it.
+/// The neighbours of one node, as they are found in the cells around it: arrays, so that searches have no branches.
 struct Found {
-    int node;
-    int times;  // in how many cells
-    int cell;   // the last of them
-};
+    std::vector<int> node, times, cell;  // in how many cells, and the first of them
 
-/// Write the nodes in ascending order; none is twice among them.
-void writeSorted(const std::vector<Found>& found, int* to) {
-    for (const Found& each : found) {  // counting is quicker than moving: no branches
-        int rank = 0;
-        for (const Found& other : found) rank += other.node < each.node;
-        to[rank] = each.node;
+    void clear() {
+        for (auto* list : {&node, &times, &cell}) list->clear();
     }
-}
+    void add(int n, int inCell) {
+        int known = 0;
+        for (std::size_t k = 0; k < node.size(); ++k) {
+            const int same = node[k] == n;
+            times[k] += same;
+            known |= same;
+        }
+        if (known) return;
+        node.push_back(n);
+        times.push_back(1);
+        cell.push_back(inCell);
+    }
+
+    /// In ascending order; none is twice among them.
+    void writeSorted(int* to) const {
+        for (const int each : node) {  // counting is quicker than moving
+            int rank = 0;
+            for (const int other : node) rank += other < each;
+            to[rank] = each;
+        }
+    }
+};
 
 /// `open` (2D): per cell and local node, is the face opposite to it of no other cell?
 template <int Dim>
@@ -54,27 +68,20 @@ NodeToNodes nodeToNodes(const std::vector<Simplex<Dim>>& cells, const NodeToCell
     open.assign(cells.size() * (Dim + 1), 0);
 #pragma omp parallel if (cells.size() > shortLoop)
     {
-        std::vector<Found> found;
+        Found found;
 #pragma omp for schedule(static)
         for (int i = 0; i < nNodes; ++i) {
             found.clear();
             for (int s = around.start[i]; s < around.start[i + 1]; ++s)
-                for (int k = 1; k <= Dim; ++k) {
-                    const int node = cells[around.cell[s]][(around.corner[s] + k) % (Dim + 1)];
-                    bool known = false;
-                    for (Found& other : found) {
-                        known |= other.node == node;
-                        other.times += other.node == node;
-                    }
-                    if (!known) found.push_back({node, 1, around.cell[s]});
-                }
-            writeSorted(found, ring.data() + static_cast<std::ptrdiff_t>(Dim) * around.start[i]);
-            result.start[i + 1] = static_cast<int>(found.size());
-            for (const Found& each : found) {
-                if (Dim != 2 || each.times > 1 || each.node < i) continue;
-                const auto& s = cells[each.cell];
+                for (int k = 1; k <= Dim; ++k) found.add(cells[around.cell[s]][(around.corner[s] + k) % (Dim + 1)], around.cell[s]);
+            found.writeSorted(ring.data() + static_cast<std::ptrdiff_t>(Dim) * around.start[i]);
+            const std::size_t n = found.node.size();
+            result.start[i + 1] = static_cast<int>(n);
+            for (std::size_t f = 0; f < n; ++f) {
+                if (Dim != 2 || found.times[f] > 1 || found.node[f] < i) continue;
+                const auto& s = cells[found.cell[f]];
                 for (int k = 0; k <= Dim; ++k)
-                    if (s[k] != i && s[k] != each.node) open[each.cell * (Dim + 1) + k] = 1;
+                    if (s[k] != i && s[k] != found.node[f]) open[found.cell[f] * (Dim + 1) + k] = 1;
             }
         }
     }

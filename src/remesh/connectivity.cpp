@@ -78,6 +78,7 @@ public:
         Connectivity& result = result_;
         result.gained.resize(nodes_.x.size(), 0.0);
         peel();
+        result.fluid.reserve(t_.cells.size());
         for (std::size_t e = 0; e < t_.cells.size(); ++e) {
             if (!accepted_[e]) continue;
             result.fluid.push_back(t_.cells[e]);
@@ -197,9 +198,12 @@ private:
     }
 
     void peel() {
+        const int n = static_cast<int>(t_.cells.size());
+        std::vector<unsigned char> isOpen(n);  // the others come when a neighbour has gone
+        forEach(n, [&](int e) { isOpen[e] = accepted_[e] && (isAtSurface(e) || isTrapped(e)); });
         std::vector<int> work;
-        for (int e = 0; e < static_cast<int>(t_.cells.size()); ++e)
-            if (accepted_[e]) work.push_back(e);
+        for (int e = 0; e < n; ++e)
+            if (isOpen[e]) work.push_back(e);
         while (!work.empty()) {
             const int e = work.back();
             work.pop_back();

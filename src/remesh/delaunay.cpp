@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "remesh/movedTriangulation.hpp"
 
 namespace pfem {
@@ -64,44 +65,39 @@ bool insertWished(Cdt& cdt, const Handles& handle, const std::vector<Face<2>>& f
     return true;
 }
 
-Triangulation<2> copyCells(Cdt& cdt, std::size_t nPoints) {
-    struct Cell {
-        Cdt::Face_handle face;
-        int first;   // local number of the smallest node
-        int second;  // the node that follows it
-    };
-    const auto smallest = [](Cdt::Face_handle face) {
-        const int a = face->vertex(0)->info().index, b = face->vertex(1)->info().index, c = face->vertex(2)->info().index;
-        return a < b ? (a < c ? 0 : 2) : (b < c ? 1 : 2);
-    };
+/// A triangle and its nodes, turned so that the smallest comes first.
+struct Turned {
+    Cdt::Face_handle face;
+    int first = 0;  // local number of the smallest node
+    Simplex<2> nodes{};
+};
+
+Turned turned(Cdt::Face_handle face) {
+    const auto node = [&](int k) { return face->vertex(k)->info().index; };
+    const int a = node(0), b = node(1), c = node(2);
+    const int k = a < b ? (a < c ? 0 : 2) : (b < c ? 1 : 2);
+    return {face, k, {node(k), node(Cdt::ccw(k)), node(Cdt::cw(k))}};
+}
+
+/// By their first nodes, then by the second.
+std::vector<Turned> sortedCells(const Cdt& cdt, int nPoints) {
+    std::vector<Turned> found;
+    found.reserve(cdt.number_of_faces());
+    for (const auto face : cdt.finite_face_handles()) found.push_back({face});
+    const int nCells = static_cast<int>(found.size());
+    forEach(nCells, [&](int e) { found[e] = turned(found[e].face); });
     std::vector<int> start(nPoints + 1, 0);
-    for (const auto face : cdt.finite_face_handles()) ++start[face->vertex(smallest(face))->info().index + 1];
+    for (const Turned& cell : found) ++start[cell.nodes[0] + 1];
     std::partial_sum(start.begin(), start.end(), start.begin());
-    std::vector<int> next = start;
-    std::vector<Cell> cells(start.back());
-    for (const auto face : cdt.finite_face_handles()) {
-        const int k = smallest(face);
-        cells[next[face->vertex(k)->info().index]++] = {face, k, face->vertex(Cdt::ccw(k))->info().index};
-    }
-    for (std::size_t i = 0; i < nPoints; ++i)
-        std::sort(cells.begin() + start[i], cells.begin() + start[i + 1],
-                  [](const Cell& a, const Cell& b) { return a.second < b.second; });
-    auto infinite = cdt.incident_faces(cdt.infinite_vertex());
-    for (const auto done = infinite;;) {
-        infinite->info() = -1;
-        if (++infinite == done) break;
-    }
-    for (int e = 0; e < static_cast<int>(cells.size()); ++e) cells[e].face->info() = e;
-    Triangulation<2> result;
-    result.cells.resize(cells.size());
-    result.neighbours.resize(cells.size());
-    for (std::size_t e = 0; e < cells.size(); ++e)
-        for (int k = 0; k < 3; ++k) {
-            const int at = (cells[e].first + k) % 3;
-            result.cells[e][k] = cells[e].face->vertex(at)->info().index;
-            result.neighbours[e][k] = cells[e].face->neighbor(at)->info();
-        }
-    return result;
+    std::vector<int> next = start, order(nCells);
+    for (int e = 0; e < nCells; ++e) order[next[found[e].nodes[0]]++] = e;
+    std::vector<Turned> cells(nCells);
+    forEach(nPoints, [&](int i) {
+        std::sort(order.begin() + start[i], order.begin() + start[i + 1],
+                  [&](int a, int b) { return found[a].nodes[1] < found[b].nodes[1]; });
+        for (int e = start[i]; e < start[i + 1]; ++e) cells[e] = found[order[e]];
+    });
+    return cells;
 }
 
 }  // namespace
@@ -111,18 +107,36 @@ struct Triangulator::Kept : MovedTriangulation {};
 Triangulator::Triangulator() : kept_(std::make_unique<Kept>()) {}
 Triangulator::~Triangulator() = default;
 
-Triangulation<2> Triangulator::triangulate(const Points<2>& points, const std::vector<Id>& ids,
-                                           const std::vector<int>& active, const std::vector<Face<2>>& fixed,
-                                           const std::vector<Face<2>>& wished) {
+void Triangulator::follow(const Points<2>& points, const std::vector<Id>& ids, const std::vector<int>& active,
+                          const std::vector<Face<2>>& fixed, const std::vector<Face<2>>& wished) {
     const Handles handle = kept_->move(points, ids, active);
-    if (kept_->cdt.dimension() < 2) return {};
+    if (kept_->cdt.dimension() < 2) return;
     insertFixed(kept_->cdt, handle, fixed);
     if (!insertWished(kept_->cdt, handle, wished)) {
         kept_->forget();
-        return triangulate(points, ids, active, fixed, {});
+        return follow(points, ids, active, fixed, {});
     }
-    auto result = copyCells(kept_->cdt, points.size());
     kept_->keep();
+}
+
+Triangulation<2> Triangulator::triangulation(int nPoints) const {
+    Cdt& cdt = kept_->cdt;
+    if (cdt.dimension() < 2) return {};
+    const auto cells = sortedCells(cdt, nPoints);
+    const int nCells = static_cast<int>(cells.size());
+    auto infinite = cdt.incident_faces(cdt.infinite_vertex());
+    for (const auto done = infinite;;) {
+        infinite->info() = -1;
+        if (++infinite == done) break;
+    }
+    forEach(nCells, [&](int e) { cells[e].face->info() = e; });
+    Triangulation<2> result;
+    result.cells.resize(nCells);
+    result.neighbours.resize(nCells);
+    forEach(nCells, [&](int e) {
+        result.cells[e] = cells[e].nodes;
+        for (int k = 0; k < 3; ++k) result.neighbours[e][k] = cells[e].face->neighbor((cells[e].first + k) % 3)->info();
+    });
     return result;
 }
 
@@ -130,7 +144,9 @@ Triangulation<2> constrainedDelaunay(const Points<2>& points, const std::vector<
                                      const std::vector<Face<2>>& fixed, const std::vector<Face<2>>& wished) {
     std::vector<Id> ids(points.size());
     std::iota(ids.begin(), ids.end(), 0);
-    return Triangulator().triangulate(points, ids, active, fixed, wished);
+    Triangulator triangulator;
+    triangulator.follow(points, ids, active, fixed, wished);
+    return triangulator.triangulation(static_cast<int>(points.size()));
 }
 
 }  // namespace pfem

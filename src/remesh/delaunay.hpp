@@ -26,8 +26,11 @@ public:
     /// stands for all, in cells and in faces. `fixed`: faces that must appear (walls, solids). `wished`: faces that appear unless they would
     /// cross a fixed or an earlier one (free surface).
     /// Throws StepFailure when fixed faces cross each other.
-    Triangulation<2> triangulate(const Points<2>& points, const std::vector<Id>& ids, const std::vector<int>& active,
-                                 const std::vector<Face<2>>& fixed, const std::vector<Face<2>>& wished);
+    void follow(const Points<2>& points, const std::vector<Id>& ids, const std::vector<int>& active,
+                const std::vector<Face<2>>& fixed, const std::vector<Face<2>>& wished);
+
+    /// Of the nPoints points followed last.
+    Triangulation<2> triangulation(int nPoints) const;
 
 private:
     struct Kept;

@@ -190,21 +190,19 @@ RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKi
     const int material = state.mesh.fluid.material.empty() ? 0 : state.mesh.fluid.material[0];
     const auto newIndex = carryOut<Dim>(plan, moved, state);
 
-    Triangulation<2> triangulation;
     CandidateNodes candidates;
     std::optional<MovedPlaces> places;
     together(
         state.nodes.size(),
         [&] {
-            triangulation = triangulator.triangulate(state.nodes.x, state.nodes.id, activeNodes(state, kinds),
-                                                     fixedFaces<Dim>(state, kinds),
-                                                     surfaceFaces<Dim>(controls, plan, newIndex));
+            triangulator.follow(state.nodes.x, state.nodes.id, activeNodes(state, kinds), fixedFaces<Dim>(state, kinds),
+                                surfaceFaces<Dim>(controls, plan, newIndex));
         },
         [&] {
             candidates = candidateNodes(state, moved, newIndex, dt);
             places.emplace(moved);
         });
-    const auto selected = selectFluid(controls, triangulation, candidates, moved, *places);
+    const auto selected = selectFluid(controls, triangulator.triangulation(state.nodes.size()), candidates, moved, *places);
     state.mesh.fluid.nodes = selected.fluid;
     state.mesh.fluid.material.assign(selected.fluid.size(), material);
 

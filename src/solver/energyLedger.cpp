@@ -21,17 +21,18 @@ template <int Dim>
 StoredEnergy fluidEnergy(const Problem<Dim>& problem, const State<Dim>& state) {
     const auto& nodes = state.nodes;
     const auto& cells = state.mesh.fluid;
-    const auto sumOfCells = [&](const auto& density) {  // density(fluid, node) [J/m3]
-        return sumOver(cells.size(), [&](int e) {
-            double ofNodes = 0;
-            for (const int i : cells.nodes[e]) ofNodes += density(problem.fluid(cells.material[e]), i);
-            return simplexMeasure<Dim>(nodes.x, cells.nodes[e]) / (Dim + 1) * ofNodes;
-        });
-    };
-    StoredEnergy energy;
-    energy.kinetic = sumOfCells([&](const ViscousFluid& fluid, int i) { return 0.5 * fluid.rho * nodes.v[i].squaredNorm(); });
-    energy.potential = -sumOfCells([&](const ViscousFluid& fluid, int i) { return fluid.rho * problem.gravity.dot(nodes.x[i]); });
-    energy.elastic = sumOfCells([&](const ViscousFluid& fluid, int i) { return 0.5 * nodes.p[i] * nodes.p[i] / fluid.kappa; });
+    StoredEnergy energy = sumOver(cells.size(), [&](int e) {
+        const ViscousFluid& fluid = problem.fluid(cells.material[e]);
+        double squaredSpeed = 0, height = 0, squaredPressure = 0;
+        for (const int i : cells.nodes[e]) {
+            squaredSpeed += nodes.v[i].squaredNorm();
+            height -= problem.gravity.dot(nodes.x[i]);
+            squaredPressure += nodes.p[i] * nodes.p[i];
+        }
+        const double share = simplexMeasure<Dim>(nodes.x, cells.nodes[e]) / (Dim + 1);
+        return StoredEnergy{0.5 * share * fluid.rho * squaredSpeed, 0.5 * share * squaredPressure / fluid.kappa,
+                            share * fluid.rho * height};
+    });
     const auto first = std::find_if(problem.materials.begin(), problem.materials.end(),
                                     [](const Material& m) { return m.kind == MaterialKind::fluid; });
     for (int i = 0; first != problem.materials.end() && i < nodes.size(); ++i) {

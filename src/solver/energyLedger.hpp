@@ -12,6 +12,12 @@ struct StoredEnergy {
     double elastic = 0;    // of the solids, and int p^2/(2 kappa) of the fluid
     double potential = 0;  // - sum m g . x
     double total() const { return kinetic + elastic + potential; }
+    StoredEnergy& operator+=(const StoredEnergy& other) {
+        kinetic += other.kinetic;
+        elastic += other.elastic;
+        potential += other.potential;
+        return *this;
+    }
 };
 
 /// Of the fluid with its lumped mass, sum_e |e|/(d+1) sum_I ..., and of drops, which are of the first fluid.

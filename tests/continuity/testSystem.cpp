@@ -53,7 +53,7 @@ struct Coupled {
     Points<2> still() const { return Points<2>(n, Vec<2>::Zero()); }
 };
 
-// Without the Schur term and the compliances, with M_G as it is, the matrix is dR_c/dp.
+// Without the Schur term and the compliances, with M_G as it is, the matrix is dR_c/dp; its factor has single precision.
 TEST(ContinuitySystem, isTheDerivativeOfTheResidual) {
     Coupled s;
     ContinuityControls controls;
@@ -63,7 +63,7 @@ TEST(ContinuitySystem, isTheDerivativeOfTheResidual) {
     const auto change = s.residual(s.tau, dp, s.still());
     for (int i = 0; i < s.n; ++i) {
         if (s.topology.wet(i)) {
-            EXPECT_NEAR(change[i] + R[i], 0, 1e-9);
+            EXPECT_NEAR(change[i] + R[i], 0, 1e-6);
         }
         else EXPECT_EQ(dp[i], 0);
     }
@@ -91,7 +91,7 @@ TEST(ContinuitySystem, schurTermIsALargerStabilisation) {
     }
     for (int i = 0; i < s.n; ++i)
         if (s.topology.wet(i)) {
-            EXPECT_NEAR(volume[i] + surface[i] + R[i], 0, 1e-9);
+            EXPECT_NEAR(volume[i] + surface[i] + R[i], 0, 1e-6);
         }
 }
 
@@ -136,7 +136,7 @@ TEST(ContinuitySystem, complianceOfTheMovingBoundary) {
     const auto rigid = s.residual(s.tau, dp, s.still());
     for (int i = 0; i < s.n; ++i)
         if (s.topology.wet(i)) {
-            EXPECT_NEAR(rigid[i] + elastic[i] + surface[i] + R[i], 0, 1e-8);
+            EXPECT_NEAR(rigid[i] + elastic[i] + surface[i] + R[i], 0, 1e-6);
         }
     EXPECT_GT(elastic.cwiseAbs().maxCoeff(), 0.1);
     EXPECT_GT(surface.cwiseAbs().maxCoeff(), 0.1);

@@ -194,7 +194,8 @@ struct Swarm {
     /// Returns how many points have changed since the last triangulation of which `triangulator` knows.
     void expectSame(Triangulator& triangulator, const std::vector<Face<2>>& fixed, const std::string& what) {
         const auto faces = wished();
-        const auto mended = triangulator.triangulate(x, ids, all(x), fixed, faces);
+        triangulator.follow(x, ids, all(x), fixed, faces);
+        const auto mended = triangulator.triangulation(static_cast<int>(x.size()));
         const auto anew = constrainedDelaunay(x, all(x), fixed, faces);
         EXPECT_EQ(mended.cells, anew.cells) << what;
         EXPECT_EQ(mended.neighbours, anew.neighbours) << what;
@@ -253,7 +254,7 @@ TEST(Triangulator, goesOnAfterWhatCannotBe) {
     swarm.x = x;
     swarm.expectSame(triangulator, {}, "plane");
     swarm.x[0] = {-1, -1}, swarm.x[1] = {2, 2}, swarm.x[2] = {-1, 2}, swarm.x[3] = {2, -1};
-    EXPECT_THROW(triangulator.triangulate(swarm.x, swarm.ids, all(swarm.x), {{0, 1}, {2, 3}}, {}), StepFailure);
+    EXPECT_THROW(triangulator.follow(swarm.x, swarm.ids, all(swarm.x), {{0, 1}, {2, 3}}, {}), StepFailure);
     swarm.expectSame(triangulator, {{0, 1}}, "after crossing walls");
     swarm.x.resize(3), swarm.ids.resize(3);
     swarm.expectSame(triangulator, {}, "nearly all gone");
