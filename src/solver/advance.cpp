@@ -1,8 +1,9 @@
 #include "solver/advance.hpp"
 
-#include <Eigen/Geometry>
 #include <chrono>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "base/parallel.hpp"
@@ -153,13 +154,24 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
     return state;
 }
 
-/// The box of all that a drop could hit.
+/// How far x is from a face (2D: a segment).
+double distanceToFace(const Points<2>& nodes, const Face<2>& face, const Vec<2>& x) {
+    const Vec<2> t = nodes[face[1]] - nodes[face[0]];
+    const double s = t.squaredNorm() > 0 ? std::clamp((x - nodes[face[0]]).dot(t) / t.squaredNorm(), 0.0, 1.0) : 0.0;
+    return (x - nodes[face[0]] - s * t).norm();
+}
+
+/// How far a drop is from all that it could hit: nodes that are no drops, and faces of walls.
 template <int Dim>
-Eigen::AlignedBox<double, Dim> placesToHit(const Nodes<Dim>& nodes) {
-    Eigen::AlignedBox<double, Dim> box;
+double distanceToHit(const State<Dim>& state, int drop) {
+    const auto& nodes = state.nodes;
+    double squared = std::numeric_limits<double>::max();
     for (int i = 0; i < nodes.size(); ++i)
-        if (!(nodes.dropVolume[i] > 0)) box.extend(nodes.x[i]);
-    return box;
+        if (!(nodes.dropVolume[i] > 0)) squared = std::min(squared, (nodes.x[i] - nodes.x[drop]).squaredNorm());
+    double distance = std::sqrt(squared);
+    for (const auto& patch : state.mesh.patches)
+        for (const auto& face : patch.faces) distance = std::min(distance, distanceToFace(nodes.x, face, nodes.x[drop]));
+    return distance;
 }
 
 }  // namespace
@@ -168,13 +180,14 @@ template <int Dim>
 CourantRate courantRate(const State<Dim>& state) {
     const auto& nodes = state.nodes;
     CourantRate rate;
-    const auto reach = placesToHit<Dim>(nodes);
-    for (int i = 0; i < nodes.size(); ++i) {
-        const double outside = nodes.dropVolume[i] > 0 ? std::sqrt(reach.squaredExteriorDistance(nodes.x[i])) : 0;
-        const double own = nodes.v[i].norm() / (nodes.h[i] + outside);
-        rate.largest = std::max(rate.largest, own);
-        rate.mean += own / nodes.size();
-    }
+    for (const bool drops : {false, true})
+        for (int i = 0; i < nodes.size(); ++i) {
+            if (nodes.dropVolume[i] > 0 != drops) continue;
+            double own = nodes.v[i].norm() / nodes.h[i];
+            if (drops && own > rate.largest) own = nodes.v[i].norm() / (nodes.h[i] + distanceToHit<Dim>(state, i));
+            rate.largest = std::max(rate.largest, own);
+            rate.mean += own / nodes.size();
+        }
     double squared = 0, compression = 0;
     const int nCells = state.mesh.fluid.size();
 #pragma omp parallel for schedule(static) reduction(max : squared, compression) if (nCells > shortLoop)

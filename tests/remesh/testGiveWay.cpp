@@ -96,9 +96,12 @@ TEST(GiveWay, nothingInsideAtWallsOrInDrops) {
 TEST(GiveWay, noCellLosesMoreThanHalf) {
     Tank t;
     const int i = t.surfaceNode(0.5);
-    const int cell = t.topology.fluid.cell[t.topology.fluid.start[i]];
-    for (int node : t.c.state.mesh.fluid.nodes[cell])  // a flat cell under the surface
-        if (node != i && !t.topology.freeSurface[node]) t.c.state.nodes.x[node][1] = t.c.state.nodes.x[i][1] - 0.004;
+    for (int s = t.topology.fluid.start[i]; s < t.topology.fluid.start[i + 1]; ++s) {
+        const auto& cell = t.c.state.mesh.fluid.nodes[t.topology.fluid.cell[s]];
+        if (std::count_if(cell.begin(), cell.end(), [&](int node) { return t.topology.freeSurface[node]; }) > 1) continue;
+        for (int node : cell)  // a flat cell under the surface
+            if (node != i) t.c.state.nodes.x[node][1] = t.c.state.nodes.x[i][1] - 0.004;
+    }
     const Points<2> x = t.c.state.nodes.x;
     t.c.state.nodes.lostVolume[i] = -1;
     t.shift();

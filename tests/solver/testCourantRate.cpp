@@ -42,7 +42,7 @@ TEST(CourantRate, ofShear) {
     EXPECT_NEAR(rate.compression, 0, 1e-9);
 }
 
-// Drops count as what they may hit within the step: inside the box of the rest by their size, outside by their distance too.
+// A drop in free flight may move by its distance to what it could hit: water, solids and walls.
 TEST(CourantRate, ofDrops) {
     TestCase c = waterWith(Tensor<2>::Zero(), {0, 0});
     const auto drop = [&](const Vec<2>& x) {
@@ -54,9 +54,29 @@ TEST(CourantRate, ofDrops) {
         state.nodes.dropVolume.back() = 1e-4;
         return courantRate<2>(state).largest;
     };
-    EXPECT_NEAR(drop({0.5, 0.99}), 70 / h, 1e-9);
+    EXPECT_NEAR(drop({0.5, 1.01}), 70 / (h + 0.01), 1e-9);
     EXPECT_NEAR(drop({0.5, 1.3}), 70 / (h + 0.3), 1e-9);
     EXPECT_NEAR(drop({1.3, -0.4}), 70 / (h + 0.5), 1e-9);
+    const int corner = c.state.nodes.size();  // a wall farther down the road than its corners
+    for (const Vec<2>& x : {Vec<2>(-9, 1.5), Vec<2>(10, 1.5)}) {
+        c.state.nodes.append(c.state.nodes, 0);
+        c.state.nodes.id.back() = c.state.nextId++;
+        c.state.nodes.x.back() = x;
+    }
+    c.state.mesh.patches.push_back({"roof", {{corner + 1, corner}}});
+    EXPECT_NEAR(drop({0.5, 1.4}), 70 / (h + 0.1), 1e-9);
+    EXPECT_NEAR(drop({0.5, 1.3}), 70 / (h + 0.2), 1e-9);
+}
+
+TEST(CourantRate, slowDropsLimitNothing) {
+    TestCase c = waterWith(Tensor<2>::Zero(), {3, -4});
+    State<2> state = c.state;
+    state.nodes.append(c.state.nodes, 0);
+    state.nodes.id.back() = state.nextId++;
+    state.nodes.x.back() = {0.5, 1.01};
+    state.nodes.v.back() = {0, -1};
+    state.nodes.dropVolume.back() = 1e-4;
+    EXPECT_NEAR(courantRate<2>(state).largest, 5 / h, 1e-9);
 }
 
 }  // namespace
