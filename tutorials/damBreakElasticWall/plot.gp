@@ -26,7 +26,7 @@ plot 0 notitle lc rgb "#888888" lw 0.8, \
 
 #-- the fluid's mass: what is there, and what it would be without the correction
 # Without the correction: relativeChange - correction/V0, with V0 = volume/(1 + relativeChange).
-ledger = "< pfemHistory -csv -columns 'Time relativeChange correction volume' mass fluidVolume.dat"
+ledger = "< pfemHistory -csv -columns 'Time relativeChange surface volume' mass fluidVolume.dat"
 set output "mass.png"
 set title "Fluid mass: change since the start"
 set ylabel "change [%]"
@@ -35,4 +35,4 @@ set key bottom left Left reverse opaque
 plot 1.5 with lines dt 2 lc rgb "#888888" title "±1.5 %", -1.5 with lines dt 2 lc rgb "#888888" notitle, \
      0 with lines lc rgb "#888888" lw 0.8 notitle, \
      ledger using 1:(100*$2) with lines lw 2.5 lc rgb "black" title "total", \
-     ledger using 1:(100*($2 - $3*(1 + $2)/$4)) with lines lw 1.5 lc rgb "#cc3311" title "raw drift (total without the correction)"
+     ledger using 1:(100*($2 - $3*(1 + $2)/$4)) with lines lw 1.5 lc rgb "#cc3311" title "total without the surface's shift"

@@ -25,7 +25,7 @@ plot weight with lines lw 2 dt 2 lc rgb "#cc3311" title "weight of syrup and con
      history("supports reaction.dat") using 1:($3/1e3) with lines lw 1.2 lc rgb "black" title "this run"
 
 # without the correction: relativeChange - correction/V0, with V0 = volume/(1 + relativeChange)
-ledger = "< pfemHistory -csv -columns 'Time relativeChange correction volume' mass fluidVolume.dat"
+ledger = "< pfemHistory -csv -columns 'Time relativeChange surface volume' mass fluidVolume.dat"
 set output "mass.png"
 set title "Fluid mass: change since the start"
 set ylabel "change [%]"
@@ -33,4 +33,4 @@ set yrange [-2:2]
 set key top right
 plot 1.5 with lines dt 2 lc rgb "#888888" title "±1.5 %", -1.5 with lines dt 2 lc rgb "#888888" notitle, \
      ledger using 1:(100*$2) with lines lw 2.5 lc rgb "black" title "total", \
-     ledger using 1:(100*($2 - $3*(1 + $2)/$4)) with lines lw 1.5 lc rgb "#cc3311" title "raw drift (total without the correction)"
+     ledger using 1:(100*($2 - $3*(1 + $2)/$4)) with lines lw 1.5 lc rgb "#cc3311" title "total without the surface's shift"

@@ -34,7 +34,7 @@ plot (x < X ? 1e3*(a + sqrt(a*a + 2*B*(X - x))) : 1/0) with lines lw 5 lc rgb "#
      gauges(hasOther ? other : ".", 10) using 1:(hasOther ? $2 : 1/0) with points pt 2 ps 1.3 lc rgb "#009988" title (hasOther ? "10 s, Herschel-Bulkley" : "")
 
 #-- the fluid's mass
-ledger = "< pfemHistory -csv -columns 'Time relativeChange correction volume' mass fluidVolume.dat"
+ledger = "< pfemHistory -csv -columns 'Time relativeChange surface volume' mass fluidVolume.dat"
 set datafile separator ","
 set output "mass.png"
 set title "Fluid mass: change since the start"
@@ -44,4 +44,4 @@ set xrange [0:10]
 set autoscale y
 set key bottom left Left reverse
 plot ledger using 1:(100*$2) with lines lw 2.5 lc rgb "black" title "total", \
-     ledger using 1:(100*($2 - $3*(1 + $2)/$4)) with lines lw 1.5 lc rgb "#cc3311" title "raw drift (total without what is returned)"
+     ledger using 1:(100*($2 - $3*(1 + $2)/$4)) with lines lw 1.5 lc rgb "#cc3311" title "total without the surface's shift"

@@ -19,11 +19,11 @@ plot 10*cos(omega*x) with lines lw 5 lc rgb "#bbccee" title "linear theory, T = 
      "< pfemHistory -csv gauge D" using 1:(10 + 1e3*$3) with lines lw 1.8 lc rgb "black" title "this run"
 
 #-- the fluid's mass; without the correction: relativeChange - correction/V0, with V0 = volume/(1 + relativeChange)
-ledger = "< pfemHistory -csv -columns 'Time relativeChange correction volume' mass fluidVolume.dat"
+ledger = "< pfemHistory -csv -columns 'Time relativeChange surface volume' mass fluidVolume.dat"
 set output "mass.png"
 set title "Fluid mass: change since the start"
 set ylabel "change [%]"
 set autoscale y
 set key bottom left Left reverse
 plot ledger using 1:(100*$2) with lines lw 2.5 lc rgb "black" title "total", \
-     ledger using 1:(100*($2 - $3*(1 + $2)/$4)) with lines lw 1.5 lc rgb "#cc3311" title "raw drift (total without the correction)"
+     ledger using 1:(100*($2 - $3*(1 + $2)/$4)) with lines lw 1.5 lc rgb "#cc3311" title "total without the surface's shift"

@@ -47,10 +47,10 @@ unset y2tics
 unset y2label
 
 #-- the fluid's mass; without the correction: relativeChange - correction/V0, with V0 = volume/(1 + relativeChange)
-ledger = "< pfemHistory -csv -columns 'Time relativeChange correction volume' mass fluidVolume.dat"
+ledger = "< pfemHistory -csv -columns 'Time relativeChange surface volume' mass fluidVolume.dat"
 set output "mass.png"
 set title "Fluid mass: change since the start"
 set ylabel "change [%]"
 set key bottom left Left reverse
 plot ledger using 1:(100*$2) with lines lw 2.5 lc rgb "black" title "total", \
-     ledger using 1:(100*($2 - $3*(1 + $2)/$4)) with lines lw 1.5 lc rgb "#cc3311" title "raw drift (total without the correction)"
+     ledger using 1:(100*($2 - $3*(1 + $2)/$4)) with lines lw 1.5 lc rgb "#cc3311" title "total without the surface's shift"
