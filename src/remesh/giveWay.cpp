@@ -1,5 +1,6 @@
 #include "remesh/giveWay.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/parallel.hpp"
@@ -41,16 +42,20 @@ Vec<Dim> shift(double lost, const Vec<Dim>& area, double limit) {
     return area / size * (std::abs(lost) < limit * size ? lost / size : std::copysign(limit, lost));
 }
 
-/// Put the nodes of cells that would lose more than half of their volume back to x, until there is no such cell.
+/// Put the nodes of cells that would lose more than half of their volume, or become small by it, back to x, until there is
+/// no such cell: one that is squeezed step by step would turn over.
 template <int Dim>
 void holdBack(const NodeToCells& around, const std::vector<Simplex<Dim>>& cells, const std::vector<int>& surface,
-              const Points<Dim>& x, Points<Dim>& shifted) {
+              const Nodes<Dim>& nodes, Points<Dim>& shifted) {
+    constexpr double small = 0.1;  // of h^Dim; a regular triangle has 0.43
+    const Points<Dim>& x = nodes.x;
     for (bool again = true; again;) {
         again = false;
         for (int i : surface)
             for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
                 const auto& cell = cells[around.cell[s]];
-                if (simplexMeasure<Dim>(shifted, cell) >= 0.5 * simplexMeasure<Dim>(x, cell)) continue;
+                const double before = simplexMeasure<Dim>(x, cell), after = simplexMeasure<Dim>(shifted, cell);
+                if (after >= before || after >= std::max(0.5 * before, small * std::pow(nodes.h[i], Dim))) continue;
                 for (int node : cell) {
                     again = again || shifted[node] != x[node];
                     shifted[node] = x[node];
@@ -74,7 +79,7 @@ void giveWay(const RemeshingControls& controls, const Topology<Dim>& topology, c
         shifted[i] += shift<Dim>(nodes.lostVolume[i] - returned[i], outwardArea<Dim>(topology, cells, nodes, i),
                                  controls.surfaceShift * nodes.h[i]);
     });
-    holdBack<Dim>(topology.fluid, cells, surface, nodes.x, shifted);
+    holdBack<Dim>(topology.fluid, cells, surface, nodes, shifted);
     nodes.x = std::move(shifted);
 }
 
