@@ -17,7 +17,7 @@ struct ContinuityControls {
     std::string freeSurfacePressure = "weak";
     std::string stabilisation = "inertia";
     bool interfaceAcceleration = true;
-    double volumeReturnTime = 0;
+    double volumeReturnTime = 0.02;
     double volumeCorrectionTime = 0;
 
     template <class Visitor>
