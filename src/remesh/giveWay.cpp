@@ -34,6 +34,20 @@ Vec<Dim> outwardArea(const Topology<Dim>& topology, const std::vector<Simplex<Di
     return area - area.dot(n) * n;
 }
 
+/// What each node is to bring: what it lacks, half of it shared with its neighbours along the surface. A zig-zag of the surface
+/// hardly changes the volume of patches; what nodes lack in turns would only make it grow.
+template <int Dim>
+std::vector<double> sharedAlongSurface(const Topology<Dim>& topology, const std::vector<double>& lost) {
+    constexpr double share = 0.25;  // to each of two neighbours (2D): zig-zags vanish
+    std::vector<double> shared = lost;
+    for (const auto& face : topology.faces) {
+        if (face.kind != FaceKind::freeSurface) continue;
+        for (int i : face.nodes)
+            for (int j : face.nodes) shared[i] += share * (lost[j] - lost[i]);
+    }
+    return shared;
+}
+
 /// lost a/|a|^2, no longer than `limit`.
 template <int Dim>
 Vec<Dim> shift(double lost, const Vec<Dim>& area, double limit) {
@@ -73,10 +87,13 @@ void giveWay(const RemeshingControls& controls, const Topology<Dim>& topology, c
     Nodes<Dim>& nodes = state.nodes;
     const auto& cells = state.mesh.fluid.nodes;
     const auto surface = movableSurface<Dim>(topology, state.mesh);
+    std::vector<double> lost = nodes.lostVolume;
+    for (int i = 0; i < nodes.size(); ++i) lost[i] -= returned[i];
+    const auto shared = sharedAlongSurface<Dim>(topology, lost);
     Points<Dim> shifted = nodes.x;
     forEach(static_cast<int>(surface.size()), [&](int k) {
         const int i = surface[k];
-        shifted[i] += shift<Dim>(nodes.lostVolume[i] - returned[i], outwardArea<Dim>(topology, cells, nodes, i),
+        shifted[i] += shift<Dim>(shared[i], outwardArea<Dim>(topology, cells, nodes, i),
                                  controls.surfaceShift * nodes.h[i]);
     });
     holdBack<Dim>(topology.fluid, cells, surface, nodes, shifted);

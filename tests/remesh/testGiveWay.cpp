@@ -36,6 +36,7 @@ struct Tank {
     }
 };
 
+// Half by the node, a quarter by each of its neighbours along the surface.
 TEST(GiveWay, aNodeBringsWhatItLacks) {
     for (const double lost : {2e-4, -2e-4}) {
         Tank t;
@@ -44,17 +45,32 @@ TEST(GiveWay, aNodeBringsWhatItLacks) {
         const Points<2> x = t.c.state.nodes.x;
         t.c.state.nodes.lostVolume[i] = lost;
         t.shift();
-        EXPECT_NEAR(t.area() - before, lost, 1e-15);  // the area is linear in the place of one node
-        EXPECT_EQ(t.c.state.nodes.x[i][1] > x[i][1], lost > 0);
+        EXPECT_NEAR(t.area() - before, lost, 5e-3 * std::abs(lost));  // linear but for what neighbours have in common
+        int moved = 0;
         for (int j = 0; j < t.c.state.nodes.size(); ++j) {
-            if (j != i) {
-                EXPECT_EQ(t.c.state.nodes.x[j], x[j]);
-            }
+            const double step = (t.c.state.nodes.x[j] - x[j]).norm();
+            if (step == 0) continue;
+            ++moved;
+            EXPECT_EQ(t.c.state.nodes.x[j][1] > x[j][1], lost > 0);
+            EXPECT_NEAR(step, std::abs(lost) / t.h * (j == i ? 0.5 : 0.25), 0.05 * std::abs(lost) / t.h);
         }
+        EXPECT_EQ(moved, 3);
         chargeMotion<2>(t.topology.fluid, t.c.state.mesh.fluid.nodes, x, t.c.state.nodes);
         double left = 0;
         for (double amount : t.c.state.nodes.lostVolume) left += amount;
-        EXPECT_NEAR(left, 0, 1e-15);
+        EXPECT_NEAR(left, 0, 5e-3 * std::abs(lost));
+    }
+}
+
+// It would hardly change the volume of patches, and grow: a falling jet of syrup got spikes.
+TEST(GiveWay, noZigZag) {
+    Tank t;
+    const Points<2> x = t.c.state.nodes.x;
+    for (int k = 1; k < 10; ++k) t.c.state.nodes.lostVolume[t.surfaceNode(0.1 * k)] = k % 2 == 0 ? 1e-4 : -1e-4;
+    t.shift();
+    for (int k = 2; k < 9; ++k) {
+        const int i = t.surfaceNode(0.1 * k);
+        EXPECT_NEAR((t.c.state.nodes.x[i] - x[i]).norm(), 0, 1e-15);
     }
 }
 
@@ -77,7 +93,7 @@ TEST(GiveWay, alongTheWallAtTheContactLine) {
     t.shift();
     EXPECT_EQ(t.c.state.nodes.x[i][0], 0);
     EXPECT_GT(t.c.state.nodes.x[i][1], x[1]);
-    EXPECT_NEAR(t.area() - before, 1e-4, 1e-15);
+    EXPECT_NEAR(t.area() - before, 1e-4, 1e-5);  // a quarter goes to the neighbour, whose area is tilted
 }
 
 TEST(GiveWay, nothingInsideAtWallsOrInDrops) {
