@@ -240,7 +240,8 @@ ContinuitySystem<Dim>::ContinuitySystem(const Problem<Dim>& problem, const Conti
 
     const int parts = nParts(u.n);
     const auto place = placesOfUnknowns<Dim>(x, u, dofs);
-    factor_.factorize<Dim>(A, place, partsOfUnknowns<Dim>(A, place, parts), parts);
+    if (controls.factorPrecision == "double") factor_.emplace<DissectedLdlt<double>>();
+    std::visit([&](auto& factor) { factor.template factorize<Dim>(A, place, partsOfUnknowns<Dim>(A, place, parts), parts); }, factor_);
 }
 
 template <int Dim>
@@ -250,7 +251,7 @@ std::vector<double> ContinuitySystem<Dim>::solve(const std::vector<double>& resi
     Eigen::VectorXd rhs = Eigen::VectorXd::Zero(n_);
     for (std::size_t i = 0; i < residual.size(); ++i)
         if (unknown_[i] >= 0) rhs[unknown_[i]] = -residual[i];
-    const Eigen::VectorXd solution = factor_.solve(rhs);
+    const Eigen::VectorXd solution = std::visit([&](const auto& factor) { return factor.solve(rhs); }, factor_);
     for (std::size_t i = 0; i < residual.size(); ++i)
         if (unknown_[i] >= 0) dp[i] = solution[unknown_[i]];
     return dp;

@@ -1,6 +1,8 @@
 #pragma once
 // The linear system for the pressure (44)-(45), with the elastic interface in its matrix.
 
+#include <variant>
+
 #include "continuity/controls.hpp"
 #include "integration/nodalPatches.hpp"
 #include "linear/dissectedLdlt.hpp"
@@ -19,8 +21,8 @@ namespace pfem {
 /// B (m M)^{-1} B^T of the nodal integration from above, whatever the mesh; on its moving boundary it does not.
 /// There the velocities are unknowns of the matrix: A is the momentum matrix of the solids at elastic interfaces
 /// and the lumped mass at the free surface. Eliminating them adds c B A^{-1} B^T: what the boundary yields under
-/// pressure. c > 1 covers the accelerations in the stabilisation's face terms. All of it shapes the path of the
-/// iteration, never the converged step.
+/// pressure. c > 1 covers the accelerations in the stabilisation's face terms. All of it, and the precision
+/// in which the factor is kept, shapes the path of the iteration, never the converged step.
 template <int Dim>
 class ContinuitySystem {
 public:
@@ -37,7 +39,7 @@ public:
 private:
     int n_ = 0;
     std::vector<int> unknown_;  // per node: its pressure unknown or -1
-    DissectedLdlt factor_;
+    std::variant<DissectedLdlt<float>, DissectedLdlt<double>> factor_;
 };
 
 }  // namespace pfem

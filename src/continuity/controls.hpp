@@ -15,6 +15,7 @@ struct ContinuityControls {
     double freeSurfaceScale = 2;
     double freeSurfaceWeight = 1;
     std::string freeSurfacePressure = "weak";
+    std::string factorPrecision = "single";
     std::string stabilisation = "inertia";
     bool interfaceAcceleration = true;
     double volumeReturnTime = 0.02;
@@ -32,6 +33,9 @@ struct ContinuityControls {
         v("freeSurfaceWeight", freeSurfaceWeight, "-", "factor of tau M_G in the pressure matrix", positive);
         v("freeSurfacePressure", freeSurfacePressure, "-", "how p = 0 is imposed at the free surface",
           oneOf({"weak", "strong"}));
+        v("factorPrecision", factorPrecision, "-",
+          "in which the factor of the pressure matrix is kept; single takes less time, the iteration corrects what it lacks",
+          oneOf({"single", "double"}));
         v("stabilisation", stabilisation, "-",
           "inertia: the full residual grad p - rho (g - dv/dt); bodyForce: grad p - rho g with accelerations on faces "
           "(the paper; then schurScale 1, freeSurfaceScale 4 and complianceScale 3 converge best)",

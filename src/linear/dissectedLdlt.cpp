@@ -89,8 +89,9 @@ LowerColumns partColumns(const SymmetricMatrix& A, const std::vector<int>& inter
 
 }  // namespace
 
+template <class Stored>
 template <int Dim>
-void DissectedLdlt::factorize(const SymmetricMatrix& A, const Places<Dim>& where, const std::vector<int>& part,
+void DissectedLdlt<Stored>::factorize(const SymmetricMatrix& A, const Places<Dim>& where, const std::vector<int>& part,
                               int nParts) {
     shared_.clear();
     parts_.clear();
@@ -131,7 +132,7 @@ void DissectedLdlt::factorize(const SymmetricMatrix& A, const Places<Dim>& where
             const int other = place[A.row[s]];
             if (other >= 0) between_(std::max(k, other), std::min(k, other)) += A.value[s];
         }
-    for (const Part& each : parts_) {
+    for (const auto& each : parts_) {
         const auto& block = each.factor.lastBlock();
         const auto& own = each.shared;
         for (std::size_t b = 0; b < own.size(); ++b)
@@ -142,7 +143,8 @@ void DissectedLdlt::factorize(const SymmetricMatrix& A, const Places<Dim>& where
         throw StepFailure("matrix factorisation failed: a pivot vanishes or is not finite");
 }
 
-Eigen::VectorXd DissectedLdlt::solve(const Eigen::VectorXd& b) const {
+template <class Stored>
+Eigen::VectorXd DissectedLdlt<Stored>::solve(const Eigen::VectorXd& b) const {
     const int nParts = static_cast<int>(parts_.size());
     std::vector<Eigen::VectorXd> own(nParts);
     forAll(nParts, [&](int p) {
@@ -193,9 +195,12 @@ std::vector<int> slabs(const Places<Dim>& place, int nParts, int axis) {
     return part;
 }
 
-#define PFEM_INSTANTIATE(D)                                                                             \
-    template void DissectedLdlt::factorize<D>(const SymmetricMatrix&, const Places<D>&,                 \
-                                              const std::vector<int>&, int);                            \
+template class DissectedLdlt<float>;
+template class DissectedLdlt<double>;
+
+#define PFEM_INSTANTIATE(D)                                                                                                   \
+    template void DissectedLdlt<float>::factorize<D>(const SymmetricMatrix&, const Places<D>&, const std::vector<int>&, int); \
+    template void DissectedLdlt<double>::factorize<D>(const SymmetricMatrix&, const Places<D>&, const std::vector<int>&, int); \
     template std::vector<int> slabs<D>(const Places<D>&, int, int);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)

@@ -9,7 +9,8 @@
 namespace pfem {
 
 /// A x = b, where the unknowns that couple two parts form a small system of their own (Schur complement). The parts
-/// are factored and solved at the same time; the bits do not depend on the number of threads.
+/// are factored and solved at the same time; the bits do not depend on the number of threads. The factor is kept as `Stored`, float or double.
+template <class Stored>
 class DissectedLdlt {
 public:
     /// `where` each unknown is, which gives the order of elimination; `part`: a number 0 ... nParts-1 for each. Throws StepFailure when a pivot vanishes or is not finite.
@@ -22,7 +23,7 @@ private:
     struct Part {
         std::vector<int> interior;  // unknowns of A, in the order of the factor
         std::vector<int> shared;    // indices into shared_ of the unknowns that follow them
-        Multifrontal factor;
+        Multifrontal<Stored> factor;
     };
 
     std::vector<int> shared_;  // unknowns of A between the parts

@@ -50,7 +50,8 @@ void takeUp(const double* source, const int* rows, int n, const std::vector<int>
 
 }  // namespace
 
-void Multifrontal::factorize(const LowerColumns& A, const std::vector<Piece>& pieces) {
+template <class Stored>
+void Multifrontal<Stored>::factorize(const LowerColumns& A, const std::vector<Piece>& pieces) {
     fronts_ = makeFronts(A, pieces);
     const int n = A.nColumns(), nLast = A.n - n;
     start_.assign(1, 0);
@@ -86,7 +87,7 @@ void Multifrontal::factorize(const LowerColumns& A, const std::vector<Piece>& pi
         if (!factorColumns(F, m, width))
             throw StepFailure("matrix factorisation failed: a pivot vanishes or is not finite");
         subtractProduct(U, r, F, m, width);
-        storeColumns(F, m, width, values_.data() + start_[f]);
+        std::copy_n(F, static_cast<std::size_t>(m) * width, values_.data() + start_[f]);
         if (r > 0 && rows[0] < n) {
             remainders.push(static_cast<int>(f), r);
             continue;
@@ -97,7 +98,8 @@ void Multifrontal::factorize(const LowerColumns& A, const std::vector<Piece>& pi
     lastBlock_.triangularView<Eigen::StrictlyUpper>() = lastBlock_.transpose();
 }
 
-void Multifrontal::eliminate(Eigen::VectorXd& b) const {
+template <class Stored>
+void Multifrontal<Stored>::eliminate(Eigen::VectorXd& b) const {
     double* const w = b.data();
     std::vector<double> below;
     for (std::size_t f = 0; f < fronts_.front.size(); ++f) {
@@ -109,7 +111,8 @@ void Multifrontal::eliminate(Eigen::VectorXd& b) const {
     }
 }
 
-void Multifrontal::backSubstitute(Eigen::VectorXd& x) const {
+template <class Stored>
+void Multifrontal<Stored>::backSubstitute(Eigen::VectorXd& x) const {
     double* const w = x.data();
     std::vector<double> below;
     for (std::size_t f = fronts_.front.size(); f-- > 0;) {
@@ -120,5 +123,8 @@ void Multifrontal::backSubstitute(Eigen::VectorXd& x) const {
         substituteColumns(values_.data() + start_[f], front.width + front.nRows, front.width, below.data(), w + front.first);
     }
 }
+
+template class Multifrontal<float>;
+template class Multifrontal<double>;
 
 }  // namespace pfem
