@@ -16,6 +16,7 @@ struct RemeshingControls {
     double hangingArea = 0.05;
     double removeDistance = 0.6;
     double removeDistanceSurface = 0.4;
+    double removeDistanceFilm = 0.25;
     double insertDistance = 1.7;
     double wallDistance = 0.05;
     double landingDistance = 0.1;
@@ -41,6 +42,9 @@ struct RemeshingControls {
         v("removeDistance", removeDistance, "-", "distance / h at which an inner node is removed", nonNegative);
         v("removeDistanceSurface", removeDistanceSurface, "-",
           "distance / h at which a free-surface node is removed", nonNegative);
+        v("removeDistanceFilm", removeDistanceFilm, "-",
+          "distance / h at which a free-surface node is removed that comes near to one across a film, or at the end of one",
+          nonNegative);
         v("insertDistance", insertDistance, "-", "edge / h above which a node is inserted", positive);
         v("wallDistance", wallDistance, "-", "distance / h to which a node that entered a solid is returned",
           positive);

@@ -25,7 +25,7 @@ public:
           near_(moved.x.size(), 0),
           long_(moved.x.size(), 0) {
         plan_.removed.assign(moved.x.size(), 0);
-        const double close = std::max(controls.removeDistance, controls.removeDistanceSurface);
+        const double close = std::max({controls.removeDistance, controls.removeDistanceSurface, controls.removeDistanceFilm});
         forEach(static_cast<int>(moved.x.size()), [&](int i) {  // most nodes need no second look
             for (int s = ring_.start[i]; s < ring_.start[i + 1]; ++s) {
                 const double distance = distanceTo(ring_.node[s], moved_.x[i], h_[i]);
@@ -89,7 +89,7 @@ private:
             if (slides && !moved_.topology.onWall[j] && !kept_[j]) continue;
             // and the contact line to none that is under water: that one can go without a change of volume
             if (slides && moved_.topology.freeSurface[i] && !moved_.topology.freeSurface[j] && !kept_[j]) continue;
-            if (crowds(j, moved_.x[i], h_[i], surface)) return true;
+            if (distanceTo(j, moved_.x[i], h_[i]) < distanceFrom(j, surface, isInFilm(i) || !isBoundaryEdge(i, j))) return true;
         }
         return false;
     }
@@ -97,12 +97,20 @@ private:
     /// From node j to a node at x of mesh size h, in units of their mean mesh size.
     double distanceTo(int j, const Vec<Dim>& x, double h) const { return (moved_.x[j] - x).norm() / (0.5 * (h_[j] + h)); }
 
-    /// Is node j too close to a node at x of mesh size h? One of the surface gives way to nodes of the boundary alone.
-    bool crowds(int j, const Vec<Dim>& x, double h, bool surface) const {
-        const double distance = distanceTo(j, x, h);
-        if (!surface) return distance < controls_.removeDistance;
+    /// How near to j a node may come: one of the surface gives way to nodes of the boundary alone, and to those across a
+    /// film, or at the end of one, only when the film is as thin as removeDistanceFilm h. Else it would go with them.
+    double distanceFrom(int j, bool surface, bool film) const {
+        if (!surface) return controls_.removeDistance;
+        if (film && moved_.topology.freeSurface[j] && !kept_[j]) return controls_.removeDistanceFilm;
         const bool boundary = moved_.topology.freeSurface[j] || moved_.topology.onWall[j] || kept_[j];
-        return boundary && distance < controls_.removeDistanceSurface;
+        return boundary ? controls_.removeDistanceSurface : 0;
+    }
+
+    /// A node of the surface with neighbours of the surface alone: the fluid is one cell thick there.
+    bool isInFilm(int i) const {
+        const auto& free = moved_.topology.freeSurface;
+        return free[i] && std::all_of(ring_.node.begin() + ring_.start[i], ring_.node.begin() + ring_.start[i + 1],
+                                      [&](int j) { return free[j]; });
     }
 
     void insertInLongEdges() {
@@ -127,7 +135,9 @@ private:
             const auto& cell = moved_.fluid[around.cell[s]];
             if (std::find(cell.begin(), cell.end(), j) == cell.end()) continue;
             for (int node : cell)
-                if (node != i && node != j && crowds(node, middle, 0.5 * (h_[i] + h_[j]), surface)) return true;
+                if (node != i && node != j &&
+                    distanceTo(node, middle, 0.5 * (h_[i] + h_[j])) < distanceFrom(node, surface, true))
+                    return true;
         }
         return false;
     }

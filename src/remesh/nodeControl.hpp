@@ -17,7 +17,7 @@ struct NodePlan {
 };
 
 /// Inner fluid nodes nearer than removeDistance h to a neighbour go (free-surface and wall nodes:
-/// removeDistanceSurface, only when the neighbour is of the boundary, too); edges longer than insertDistance h are
+/// removeDistanceSurface, only when the neighbour is of the boundary, too; across a film: removeDistanceFilm); edges longer than insertDistance h are
 /// halved. A node that slides into a concave corner of the walls goes. At most one change per patch. Corners of walls and nodes of solids and other patches stay.
 template <int Dim>
 NodePlan<Dim> planNodes(const RemeshingControls& controls, const MovedMesh<Dim>& moved,
