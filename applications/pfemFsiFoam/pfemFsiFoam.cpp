@@ -12,6 +12,7 @@
 #include "case/unfinished.hpp"
 #include "functions/functionObjects.hpp"
 #include "io/stateFiles.hpp"
+#include "remesh/appeared.hpp"
 #include "solver/checkProblem.hpp"
 #include "solver/log.hpp"
 #include "solver/recorder.hpp"
@@ -58,6 +59,8 @@ int run(const Options& options) {
 
     double firstVolume = totalVolume(state);
     for (const auto& [cause, amount] : state.ledger) firstVolume -= amount;
+    const bool counting = functions.wantAppeared();
+    if (counting) countAppeared(state);
     Recorder<2> recorder(theCase, problem, clock, state);
     if (state.time.index == 0) recorder.start(controls, state, clock.deltaT(state.time));
     functions.start(state);
@@ -79,7 +82,10 @@ int run(const Options& options) {
                   << stepLines(report, state, firstVolume);
         functions.execute(state);
         state.memory = functions.memory();
-        if (clock.writeDue(state.time)) recorder.save(state);
+        if (clock.writeDue(state.time)) {
+            recorder.save(state);
+            if (counting) countAppeared(state);
+        }
         const double done = (state.time.value - timeStart) / (clock.controls().endTime - timeStart);
         std::cout << timeLines(cpuNow(), clockNow() - clockStart, done) << std::flush;
     }

@@ -1,5 +1,7 @@
 #include "functions/functionObjects.hpp"
 
+#include <algorithm>
+
 #include "base/parallel.hpp"
 
 namespace pfem {
@@ -88,6 +90,11 @@ std::map<std::string, std::vector<double>> FunctionObjects<Dim>::memory() const 
     for (const auto& entry : functions_)
         if (auto numbers = entry.function->memory(); !numbers.empty()) all[entry.name] = std::move(numbers);
     return all;
+}
+
+template <int Dim>
+bool FunctionObjects<Dim>::wantAppeared() const {
+    return std::any_of(functions_.begin(), functions_.end(), [](const Entry& entry) { return entry.function->wantsAppeared(); });
 }
 
 template class FunctionObjects<2>;

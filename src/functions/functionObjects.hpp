@@ -37,6 +37,9 @@ public:
     /// What the functions need to go on after a restart, for State::memory.
     std::map<std::string, std::vector<double>> memory() const;
 
+    /// Does one of them want State::appeared?
+    bool wantAppeared() const;
+
     /// The entries' names.
     std::vector<std::string> names() const;
     int size() const { return static_cast<int>(functions_.size()); }

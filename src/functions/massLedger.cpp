@@ -61,7 +61,8 @@ std::vector<double> massColumns(const MassBalance& balance, const std::vector<st
 }
 
 template <int Dim>
-MassLedger<Dim>::MassLedger(const Dictionary&, const FunctionContext<Dim>& context) : context_(context) {
+MassLedger<Dim>::MassLedger(const Dictionary& dict, const FunctionContext<Dim>& context) : context_(context) {
+    readEntries(dict, entries_);
     context_.precision = std::max(10, context_.precision);  // small differences of large numbers
 }
 

@@ -6,11 +6,23 @@
 #include <string>
 #include <vector>
 
+#include "dictionary/entries.hpp"
 #include "functions/functionObject.hpp"
 #include "functions/massBalance.hpp"
 #include "io/table.hpp"
 
 namespace pfem {
+
+struct MassLedgerEntries {
+    bool writeFields = false;
+
+    template <class Visitor>
+    void entries(Visitor& v) {
+        v("writeFields", writeFields, "-",
+          "fluid.vtu of the run's time folders gets nodal fields (ledgerSolver, ledgerContact, ...): the volume that appeared "
+          "around each node since the time folder before, by cause");
+    }
+};
 
 /// Writes postProcessing/<name>/<startTime>/fluidVolume.dat: time, volume, mass, its relative change since
 /// the first time of the case, one column per cause of the ledger, their sum, and what the sum leaves
@@ -22,11 +34,13 @@ public:
 
     void start(const State<Dim>& state) override;
     void execute(const State<Dim>& state) override;
+    bool wantsAppeared() const override { return entries_.writeFields; }
 
 private:
     void beginTable();
 
     FunctionContext<Dim> context_;
+    MassLedgerEntries entries_;
     std::optional<MassAccount<Dim>> account_;
     std::filesystem::path file_;
     std::optional<double> rowsUntil_;  // the file holds the rows up to this time [s]

@@ -14,6 +14,7 @@ namespace pfem {
 struct ExtraFields {
     std::map<std::string, std::vector<double>> nodal;  // one value per node of the state
     std::map<std::string, std::vector<unsigned char>> nodalFlags;
+    std::map<std::string, std::vector<double>> ofFluid;  // as nodal, but in fluid.vtu alone
 };
 
 /// Write all files of `state` into `folder`: complete or absent (written beside it, then renamed).

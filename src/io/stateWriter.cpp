@@ -44,9 +44,10 @@ void checkSizes(const State<Dim>& state, const ExtraFields& extra) {
     const std::size_t stresses = state.mesh.solid.sigma.size();
     if ((stresses != 0 && stresses != state.mesh.solid.nodes.size()) || !state.mesh.fluid.sigma.empty())
         throw InternalError("writeState: the number of cell stresses is not the number of solid cells");
-    for (const auto& [name, values] : extra.nodal)
-        if (values.size() != n)
-            throw InternalError("writeState: extra field '" + name + "' has a wrong length");
+    for (const auto* fields : {&extra.nodal, &extra.ofFluid})
+        for (const auto& [name, values] : *fields)
+            if (values.size() != n)
+                throw InternalError("writeState: extra field '" + name + "' has a wrong length");
     for (const auto& [name, values] : extra.nodalFlags)
         if (values.size() != n)
             throw InternalError("writeState: extra field '" + name + "' has a wrong length");
@@ -62,7 +63,9 @@ void writeState(const std::filesystem::path& folder, const State<Dim>& state, co
 
     const NodeSet fluidNodes(members.fluid);
     auto fluid = newGrid(state);
-    addNodes(fluid.Get(), state, fluidNodes, stressOutsideSolid(state, fluidNodes, members.solid), extra);
+    ExtraFields ofFluid = extra;
+    ofFluid.nodal.insert(extra.ofFluid.begin(), extra.ofFluid.end());
+    addNodes(fluid.Get(), state, fluidNodes, stressOutsideSolid(state, fluidNodes, members.solid), ofFluid);
     CellBuilder fluidCells;
     addSimplices(fluidCells, state.mesh.fluid, fluidNodes);
     for (const int i : members.isolated)

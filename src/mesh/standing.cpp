@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "mesh/simplex.hpp"
 
@@ -56,6 +57,7 @@ bool leaveFeet(const Topology<2>& topology, const Points<2>& v, State<2>& state)
         nodes.X.back() = nodes.x[i];
         nodes.v.back() = v[floor[0]];
         nodes.a.back().setZero();
+        for (auto& [cause, amounts] : state.appeared) amounts.push_back(std::exchange(amounts[i], 0.0));
     }
     for (auto& cell : state.mesh.fluid.nodes)
         for (int& node : cell)

@@ -4,6 +4,7 @@
 #include "functions/forces.hpp"
 #include "functions/front.hpp"
 #include "functions/line.hpp"
+#include "functions/massLedger.hpp"
 #include "functions/pressureSensor.hpp"
 #include "functions/waveGauge.hpp"
 #include "reference/keywords.hpp"
@@ -36,7 +37,7 @@ std::vector<KeywordTable> functionKeywords() {
          describeEntries<ForcesEntries>()},
         {file, "front", "How far the main body of fluid has come.", describeEntries<FrontEntries>()},
         {file, "line", "Fields along a straight line, a file per time.", describeEntries<LineEntries>()},
-        {file, "massLedger", "Fluid volume and mass, and what changed them; no entries.", {}},
+        {file, "massLedger", "Fluid volume and mass, and what changed them.", describeEntries<MassLedgerEntries>()},
         {file, "pressureSensor", "Mean pressure over a disc or segment on a wall or solid.",
          describeEntries<PressureSensorEntries>()},
         {file,

@@ -84,6 +84,7 @@ public:
             result.fluid.push_back(t_.cells[e]);
             if (inside_[e]) continue;
             result.contact += simplexMeasure<2>(nodes_.x, t_.cells[e]);
+            result.contacts.push_back(t_.cells[e]);
             gain(e, 1);
         }
         return std::move(result);
@@ -213,6 +214,7 @@ private:
             accepted_[e] = 0;
             if (inside_[e]) {
                 (stretched ? result_.stretched : result_.released) += simplexMeasure<2>(nodes_.x, t_.cells[e]);
+                (stretched ? result_.stretchedCells : result_.releasedCells).push_back(t_.cells[e]);
                 gain(e, -1);
             }
             for (int node : t_.cells[e]) --cells_[node];

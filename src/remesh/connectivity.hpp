@@ -24,6 +24,7 @@ struct Connectivity {
     double contact = 0;    // volume of accepted triangles outside the moved old mesh
     double stretched = 0;  // volume peeled off inside it: stretched triangles and slivers
     double released = 0;   // volume peeled off inside it: wall nodes that were released
+    std::vector<Simplex<2>> contacts, stretchedCells, releasedCells;  // the triangles that these are made of
     std::vector<double> gained;  // contact - stretched - released per node, a third of each triangle
 };
 

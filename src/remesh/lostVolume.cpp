@@ -4,6 +4,7 @@
 
 #include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
+#include "remesh/heirs.hpp"
 
 namespace pfem {
 
@@ -19,11 +20,7 @@ double handOver(const MovedMesh<2>& moved, const std::vector<int>& newIndex,
         const bool dryPlace = node >= 0 && moved.topology.held(i) && !wet[node];
         if (node >= 0 && !dryPlace) continue;
         const double amount = node < 0 ? moved.lostVolume[i] + moved.dropVolume[i] : lost[node];
-        std::vector<int> heirs;
-        for (int s = moved.topology.ring.start[i]; s < moved.topology.ring.start[i + 1]; ++s) {
-            const int heir = newIndex[moved.topology.ring.node[s]];
-            if (heir >= 0 && wet[heir]) heirs.push_back(heir);
-        }
+        const auto heirs = heirsOf<2>(moved, newIndex, wet, i);
         for (int heir : heirs) lost[heir] += amount / static_cast<double>(heirs.size());
         if (heirs.empty()) orphaned += amount;
         if (dryPlace) lost[node] = 0;
@@ -46,14 +43,19 @@ double chargeCuts(const MovedMesh<2>& moved, const NodePlan<2>& plan, const std:
     return sum;
 }
 
-/// An even share for all old surface nodes that are still in the fluid.
-void chargeSurface(const MovedMesh<2>& moved, const std::vector<int>& newIndex,
-                   const std::vector<unsigned char>& wet, double change, std::vector<double>& lost) {
+/// Old surface nodes that are still in the fluid; new indices.
+std::vector<int> lastingSurface(const MovedMesh<2>& moved, const std::vector<int>& newIndex,
+                                const std::vector<unsigned char>& wet) {
     std::vector<int> surface;
     for (int i = 0; i < moved.topology.nNodes(); ++i)
         if (moved.topology.freeSurface[i] && newIndex[i] >= 0 && wet[newIndex[i]])
             surface.push_back(newIndex[i]);
-    for (int node : surface) lost[node] -= change / static_cast<double>(surface.size());
+    return surface;
+}
+
+/// An even share of what appeared for each of the nodes.
+void chargeEvenly(const std::vector<int>& nodes, double change, std::vector<double>& lost) {
+    for (int node : nodes) lost[node] -= change / static_cast<double>(nodes.size());
 }
 
 /// Nodes without triangles carry what they lack; those that have found one lack what they carried.
@@ -102,15 +104,27 @@ void chargeMotion(const NodeToCells& around, const std::vector<Simplex<Dim>>& ce
 void chargeRemeshing(const MovedMesh<2>& moved, const NodePlan<2>& plan, const std::vector<int>& newIndex,
                      const Connectivity& selected, double change, State<2>& state) {
     std::vector<double>& lost = state.nodes.lostVolume;
-    std::vector<unsigned char> wet(state.nodes.size(), 0);
-    for (const auto& s : selected.fluid)
-        for (int node : s) wet[node] = 1;
+    const auto wet = wetNodes<2>(selected.fluid, state.nodes.size());
     for (int node = 0; node < state.nodes.size(); ++node) lost[node] -= selected.gained[node];
     const double cuts = chargeCuts(moved, plan, newIndex, lost);
     const double rest = change - selected.contact + selected.stretched + selected.released - cuts;
     const double orphaned = handOver(moved, newIndex, wet, lost);
-    chargeSurface(moved, newIndex, wet, rest - orphaned, lost);
+    chargeEvenly(lastingSurface(moved, newIndex, wet), rest - orphaned, lost);
     exchangeWithDrops(moved, newIndex, wet, state.nodes);
+}
+
+std::vector<double> reshapedShares(const MovedMesh<2>& moved, const NodePlan<2>& plan, const std::vector<int>& newIndex,
+                                   const Connectivity& selected, double reshaped, int nNodes) {
+    std::vector<double> shares(nNodes, 0.0);  // as lost
+    const double cuts = chargeCuts(moved, plan, newIndex, shares);
+    const auto wet = wetNodes<2>(selected.fluid, nNodes);
+    auto takers = lastingSurface(moved, newIndex, wet);
+    if (takers.empty())  // no surface is left: all of the fluid
+        for (int node = 0; node < nNodes; ++node)
+            if (wet[node]) takers.push_back(node);
+    chargeEvenly(takers, reshaped - cuts, shares);
+    for (double& share : shares) share = -share;
+    return shares;
 }
 
 template void chargeMotion<2>(const NodeToCells&, const std::vector<Simplex<2>>&, const Points<2>&,

@@ -26,4 +26,8 @@ void chargeMotion(const NodeToCells& around, const std::vector<Simplex<Dim>>& ce
 void chargeRemeshing(const MovedMesh<2>& moved, const NodePlan<2>& plan, const std::vector<int>& newIndex,
                      const Connectivity& selected, double change, State<2>& state);
 
+/// Of that what the change of shape, `reshaped` in all, has given to each of the nNodes new nodes.
+std::vector<double> reshapedShares(const MovedMesh<2>& moved, const NodePlan<2>& plan, const std::vector<int>& newIndex,
+                                   const Connectivity& selected, double reshaped, int nNodes);
+
 }  // namespace pfem

@@ -8,7 +8,9 @@
 #include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
 #include "mesh/standing.hpp"
+#include "remesh/appeared.hpp"
 #include "remesh/connectivity.hpp"
+#include "remesh/heirs.hpp"
 #include "remesh/lostVolume.hpp"
 #include "remesh/nodeControl.hpp"
 
@@ -164,9 +166,7 @@ std::vector<int> activeNodes(const State<2>& state, const std::vector<PatchKind>
 
 /// Nodes without triangles have no pressure.
 void clearDryPressure(State<2>& state) {
-    std::vector<unsigned char> wet(state.nodes.size(), 0);
-    for (const auto& s : state.mesh.fluid.nodes)
-        for (int node : s) wet[node] = 1;
+    const auto wet = wetNodes<2>(state.mesh.fluid.nodes, state.nodes.size());
     for (int i = 0; i < state.nodes.size(); ++i)
         if (!wet[i]) state.nodes.p[i] = 0;
 }
@@ -210,8 +210,12 @@ RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKi
     state.ledger["contact"] += selected.contact;
     state.ledger["stretched"] -= selected.stretched;
     state.ledger["released"] -= selected.released;
-    state.ledger["reshaped"] += change - selected.contact + selected.stretched + selected.released;
+    const double reshaped = change - selected.contact + selected.stretched + selected.released;
+    state.ledger["reshaped"] += reshaped;
     chargeRemeshing(moved, plan, newIndex, selected, change, state);
+    if (!state.appeared.empty())
+        bookRemeshing<Dim>(moved, newIndex, selected,
+                           reshapedShares(moved, plan, newIndex, selected, reshaped, state.nodes.size()), state);
     state.ledger["isolated"] += dropVolume<Dim>(state) - drops;
     clearDryPressure(state);
 

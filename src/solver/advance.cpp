@@ -9,6 +9,7 @@
 #include "base/parallel.hpp"
 #include "continuity/residual.hpp"
 #include "mesh/standing.hpp"
+#include "remesh/appeared.hpp"
 #include "remesh/giveWay.hpp"
 #include "remesh/lostVolume.hpp"
 #include "remesh/penetration.hpp"
@@ -103,6 +104,7 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
         state.energy["remeshing"] += fluidEnergy<Dim>(problem, state).total() - fluidEnergy<Dim>(problem, last).total();
     const auto constraints = constraintsOver<Dim>(0, report.dt, problem, state, topology);
 
+    MotionWatch<Dim> watch(state);
     const double volume = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes);
     const double divTarget = volumeCorrection<Dim>(state, controls.continuity.volumeCorrectionTime, report.dt);
     auto result = fsiStep<Dim>(problem, controls, state.mesh, topology, constraints, state.nodes, report.dt, divTarget);
@@ -119,6 +121,7 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
     const double correction = std::accumulate(returned.begin(), returned.end(), 0.0);
     state.ledger["correction"] += correction;
     state.ledger["solver"] += moved - volume - correction;
+    watch.book("solver", state, returned);
     const double stepped = now();
     report.seconds[0] += stepped - start;
     const double energy = fluidEnergy<Dim>(problem, state).total();
@@ -128,10 +131,14 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
         giveWay<Dim>(controls.remeshing, topology, returned, state);
         const double shifted = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes);
         state.ledger["surface"] += shifted - moved;
+        watch.book("surface", state);
         releaseFromWalls<Dim>(controls.remeshing, topology, problem.gravity, heaviestFluid<Dim>(problem), state.nodes);
         state.ledger["released"] += cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes) - shifted;
+        watch.book("released", state);
         landOnWalls<Dim>(controls.remeshing, topology, xOld, state);
+        watch.book("landed", state);
         report.returned = returnPenetrating<Dim>(topology, controls.remeshing.wallDistance, state);
+        watch.book("returned", state);
         const auto& cells = state.mesh.fluid.nodes;
         chargeMotion<Dim>(topology.fluid, cells, xOld, state.nodes);
         const bool wallsChanged = wallsOld != state.nodes.wall || report.returned > 0;

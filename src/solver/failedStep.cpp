@@ -92,6 +92,7 @@ Inspection<Dim> inspect(const FailedStep<Dim>& failure, const State<Dim>& last) 
     state.nextId = std::max(last.nextId, nodes.id.empty() ? 0 : nodes.id.back() + 1);
     state.ledger = last.ledger;
     state.energy = last.energy;
+    state.appeared.clear();  // of the failed step, the ledger is that of the last
     int named = 0;
     for (int i = 0; i < nodes.size(); ++i) {
         if (!result.failed[i] || ++named > 5) continue;

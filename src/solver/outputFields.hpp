@@ -1,15 +1,29 @@
 #pragma once
 // Fields for the eye that are written beside the state.
 
+#include <cctype>
+
 #include "io/stateFiles.hpp"
 #include "state/problem.hpp"
 
 namespace pfem {
 
-/// freeSurface (1 on free-surface nodes).
+/// Where somebody has asked: State::appeared as ledgerSolver, ledgerContact, ...
+template <int Dim>
+ExtraFields ledgerFields(const State<Dim>& state) {
+    ExtraFields extra;
+    for (const auto& [cause, amounts] : state.appeared) {
+        std::string name = "ledger" + cause;
+        name[6] = static_cast<char>(std::toupper(name[6]));
+        extra.ofFluid[name] = amounts;
+    }
+    return extra;
+}
+
+/// freeSurface (1 on free-surface nodes) and the ledger's fields.
 template <int Dim>
 ExtraFields outputFields(const Problem<Dim>& problem, const State<Dim>& state) {
-    ExtraFields extra;
+    ExtraFields extra = ledgerFields<Dim>(state);
     extra.nodalFlags["freeSurface"] =
         makeTopology<Dim>(state.mesh, problem.conditions.kind, state.nodes.wall).freeSurface;
     return extra;

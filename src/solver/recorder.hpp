@@ -16,7 +16,8 @@ public:
     /// Write the folder of this time and the lists for ParaView; nothing when it stands there already. Throws UserError.
     void save(const State<Dim>& state);
 
-    /// startConsistently() and advance(). When they fail for good, the last good state is written and the folder
+    /// startConsistently() and advance(). Where the ledger's fields are counted (State::appeared), the start's folder gets them
+    /// too, zeros: ParaView offers the fields of the first time. When they fail for good, the last good state is written and the folder
     /// failed/, and a StepFailure tells the reason, the place and where both are.
     void start(const Controls& controls, State<Dim>& state, double dt);
     AdvanceReport advance(const Controls& controls, Triangulator& triangulator, State<Dim>& state, double dt);

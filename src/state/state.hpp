@@ -1,5 +1,5 @@
 #pragma once
-// All that a run knows at one instant; a time folder holds exactly this. Only nodes carry history, and with elemental
+// All that a run knows at one instant; a time folder holds exactly this, but for `appeared`. Only nodes carry history, and with elemental
 // integration the solid's cells (Cells::sigma), which last for the whole run.
 
 #include <map>
@@ -52,6 +52,9 @@ struct State {
     Mesh<Dim> mesh;
     Id nextId = 0;                         // the id of the next node to be inserted
     std::map<std::string, double> ledger;  // cumulative fluid volume by cause [m2 (2D), m3]
+    /// For the eye (ledgerSolver, ...): the part of the ledger since the last time folder that each node has, by cause;
+    /// empty when nobody has asked. A run that goes on begins with zeros, for it begins with a time folder.
+    std::map<std::string, std::vector<double>> appeared;
     std::map<std::string, double> energy;  // cumulative, brought in beside the equations of motion, by cause [J/m (2D), J]
     std::map<std::string, std::vector<double>> memory;  // of function objects, by their name
 };

@@ -1,0 +1,128 @@
+#include "remesh/appeared.hpp"
+
+#include "mesh/simplex.hpp"
+#include "remesh/heirs.hpp"
+
+namespace pfem {
+
+namespace {
+
+/// An even part of `amount` for each of the nodes.
+void share(double amount, const std::vector<int>& nodes, std::vector<double>& amounts) {
+    for (const int node : nodes) amounts[node] += amount / static_cast<double>(nodes.size());
+}
+
+/// sign |e|/(d+1) to each node of the cells.
+template <int Dim>
+void addCells(const std::vector<Simplex<Dim>>& cells, const Points<Dim>& x, double sign, std::vector<double>& amounts) {
+    for (const auto& cell : cells) {
+        const double part = sign * simplexMeasure<Dim>(x, cell) / (Dim + 1);
+        for (const int node : cell) amounts[node] += part;
+    }
+}
+
+/// Nodes that are written into fluid.vtu: of cells, and what is neither of a solid nor of a patch, drops and others.
+template <int Dim>
+std::vector<unsigned char> fluidNodes(const State<Dim>& state, const std::vector<unsigned char>& wet) {
+    std::vector<unsigned char> result(wet.size(), 1);
+    for (const auto& cell : state.mesh.solid.nodes)
+        for (const int node : cell) result[node] = wet[node];
+    for (const auto& patch : state.mesh.patches)
+        for (const auto& face : patch.faces)
+            for (const int node : face) result[node] = wet[node];
+    return result;
+}
+
+/// An old node that has no place in the fluid any more, and the new nodes that take over.
+struct Legacy {
+    int old;
+    std::vector<int> heirs;
+};
+
+/// Without neighbours in the fluid, all of it inherits. Inserted nodes are in no solid and no patch: they have a place.
+template <int Dim>
+std::vector<Legacy> legacies(const MovedMesh<Dim>& moved, const std::vector<int>& newIndex, const State<Dim>& state) {
+    const auto wet = wetNodes<Dim>(state.mesh.fluid.nodes, state.nodes.size());
+    const auto fluid = fluidNodes<Dim>(state, wet);
+    std::vector<int> all;
+    for (int node = 0; node < state.nodes.size(); ++node)
+        if (fluid[node]) all.push_back(node);
+    std::vector<Legacy> result;
+    for (int i = 0; i < moved.topology.nNodes(); ++i) {
+        if (newIndex[i] >= 0 && fluid[newIndex[i]]) continue;
+        auto heirs = heirsOf<Dim>(moved, newIndex, wet, i);
+        result.push_back({i, heirs.empty() ? all : std::move(heirs)});
+    }
+    return result;
+}
+
+/// The old nodes' amounts added to `booked`, that of the new ones; then the heirs get theirs.
+std::vector<double> passedOn(const std::vector<double>& old, const std::vector<int>& newIndex,
+                             const std::vector<Legacy>& legacies, std::vector<double> booked) {
+    for (std::size_t i = 0; i < old.size(); ++i)
+        if (newIndex[i] >= 0) booked[newIndex[i]] += old[i];
+    for (const auto& [i, heirs] : legacies) {
+        const int node = newIndex[i];
+        const double amount = node < 0 ? old[i] : booked[node];
+        if (node >= 0) booked[node] = 0;
+        share(amount, heirs, booked);
+    }
+    return booked;
+}
+
+}  // namespace
+
+template <int Dim>
+void countAppeared(State<Dim>& state) {
+    for (const char* cause : {"solver", "correction", "surface", "released", "landed", "returned", "contact", "stretched",
+                              "reshaped", "isolated"})
+        state.appeared[cause].assign(state.nodes.size(), 0.0);
+}
+
+template <int Dim>
+MotionWatch<Dim>::MotionWatch(const State<Dim>& state) {
+    if (!state.appeared.empty()) x_ = state.nodes.x;
+}
+
+template <int Dim>
+void MotionWatch<Dim>::book(const std::string& cause, State<Dim>& state, const std::vector<double>& apart) {
+    if (x_.empty()) return;
+    auto& amounts = state.appeared.at(cause);
+    for (const auto& cell : state.mesh.fluid.nodes) {
+        const double change = (simplexMeasure<Dim>(state.nodes.x, cell) - simplexMeasure<Dim>(x_, cell)) / (Dim + 1);
+        for (const int node : cell) amounts[node] += change;
+    }
+    for (std::size_t i = 0; i < apart.size(); ++i) {
+        amounts[i] -= apart[i];
+        state.appeared.at("correction")[i] += apart[i];
+    }
+    x_ = state.nodes.x;
+}
+
+template <int Dim>
+void bookRemeshing(const MovedMesh<Dim>& moved, const std::vector<int>& newIndex, const Connectivity& selected,
+                   const std::vector<double>& reshaped, State<Dim>& state) {
+    const auto& x = state.nodes.x;
+    const auto left = legacies<Dim>(moved, newIndex, state);
+    for (auto& [cause, amounts] : state.appeared) {
+        std::vector<double> booked(x.size(), 0.0);
+        if (cause == "contact") addCells<Dim>(selected.contacts, x, 1, booked);
+        if (cause == "stretched") addCells<Dim>(selected.stretchedCells, x, -1, booked);
+        if (cause == "released") addCells<Dim>(selected.releasedCells, x, -1, booked);
+        if (cause == "reshaped") booked = reshaped;
+        if (cause == "isolated") {
+            booked = state.nodes.dropVolume;
+            for (std::size_t i = 0; i < amounts.size(); ++i) amounts[i] -= moved.dropVolume[i];
+        }
+        amounts = passedOn(amounts, newIndex, left, std::move(booked));
+    }
+}
+
+#define PFEM_INSTANTIATE(D)                                                                           \
+    template void countAppeared<D>(State<D>&);                                                        \
+    template class MotionWatch<D>;                                                                    \
+    template void bookRemeshing<D>(const MovedMesh<D>&, const std::vector<int>&, const Connectivity&, \
+                                   const std::vector<double>&, State<D>&);
+PFEM_INSTANTIATE(2)
+
+}  // namespace pfem

@@ -1,0 +1,30 @@
+#pragma once
+// Who takes over what a node leaves behind in a remeshing.
+
+#include "remesh/movedMesh.hpp"
+
+namespace pfem {
+
+/// Which of n nodes are in a cell.
+template <int Dim>
+std::vector<unsigned char> wetNodes(const std::vector<Simplex<Dim>>& fluid, int n) {
+    std::vector<unsigned char> wet(n, 0);
+    for (const auto& cell : fluid)
+        for (int node : cell) wet[node] = 1;
+    return wet;
+}
+
+/// The old neighbours of old node i that are still in the fluid; new indices. `newIndex`: of the old nodes, -1: gone.
+template <int Dim>
+std::vector<int> heirsOf(const MovedMesh<Dim>& moved, const std::vector<int>& newIndex, const std::vector<unsigned char>& wet,
+                         int i) {
+    std::vector<int> heirs;
+    const auto& ring = moved.topology.ring;
+    for (int s = ring.start[i]; s < ring.start[i + 1]; ++s) {
+        const int heir = newIndex[ring.node[s]];
+        if (heir >= 0 && wet[heir]) heirs.push_back(heir);
+    }
+    return heirs;
+}
+
+}  // namespace pfem

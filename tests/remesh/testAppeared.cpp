@@ -1,0 +1,149 @@
+// The ledger as fields: their sums are the ledger, counting changes nothing, a run that goes on has the same.
+
+#include "remesh/appeared.hpp"
+
+#include <gtest/gtest.h>
+
+#include "functions/functionObjects.hpp"
+#include "io/nodeSets.hpp"
+#include "io/sampleState.hpp"
+#include "io/stateFiles.hpp"
+#include "mesh/standing.hpp"
+#include "solver/outputFields.hpp"
+#include "support/cases.hpp"
+
+using namespace pfem;
+using namespace pfem::test;
+
+namespace {
+
+/// 0.2 m2 of water that collapse over a soft step.
+TestCase collapse() {
+    TestCase c = waterBesideStep();
+    c.controls.continuity.volumeCorrectionTime = 0.1;
+    c.start(1e-3);
+    return c;
+}
+
+/// 0.06 m2 of water behind a gate that is lifted after a while: its foot leaves the floor and the water.
+TestCase gate() {
+    TestCase c = makeCase("meshSize 0.05; bodies ( water { type fluid; material water; " + rectangle(0, 0, 0.3, 0.2) +
+                              " } ); walls ( gate { moving true; points ((0.3 0) (0.3 0.5)); }"
+                              " tank { points ((0 0.8) (0 0) (1 0) (1 0.8)); } );",
+                          water, "tank { type slip; } gate { type slip; motion { velocity expression (\"0\" \"t > 0.02 ? 1 : 0\" \"0\"); } }");
+    c.start(1e-3);
+    return c;
+}
+
+void advanceTo(TestCase& c, double time) {
+    while (c.state.time.value < time) c.step(std::min(1e-3, 0.3 / (courantRate<2>(c.state).largest + 1e-300)));
+}
+
+/// The sum of a field over the nodes that are written into fluid.vtu.
+double writtenSum(const State<2>& state, const std::vector<double>& amounts) {
+    const Membership<2> members(state);
+    double sum = 0;
+    for (std::size_t i = 0; i < amounts.size(); ++i)
+        if (members.fluid[i]) sum += amounts[i];
+    return sum;
+}
+
+/// The largest sum of each field; between two times each must be the ledger's change, and all of them the volume's.
+std::map<std::string, double> largestSums(TestCase& c, double interval, int intervals) {
+    std::map<std::string, double> largest;
+    for (int k = 1; k <= intervals; ++k) {
+        countAppeared(c.state);
+        auto before = c.state.ledger;
+        const double volume = totalVolume<2>(c.state);
+        advanceTo(c, interval * k);
+        double all = 0;
+        for (const auto& [cause, amounts] : c.state.appeared) {
+            const double sum = writtenSum(c.state, amounts);
+            EXPECT_EQ(amounts.size(), c.state.nodes.id.size());
+            EXPECT_NEAR(sum, c.state.ledger[cause] - before[cause], 1e-14) << cause << " " << c.state.time.value;
+            largest[cause] = std::max(largest[cause], std::abs(sum));
+            all += sum;
+        }
+        for (const auto& [cause, amount] : c.state.ledger) EXPECT_EQ(c.state.appeared.count(cause), 1u) << cause;
+        EXPECT_NEAR(all, totalVolume<2>(c.state) - volume, 1e-14);
+    }
+    for (const auto& [cause, amount] : largest) std::cout << "  " << cause << " " << amount << " m2\n";
+    return largest;
+}
+
+TEST(Appeared, sumsAreTheLedger) {
+    TestCase c = collapse();
+    const auto ids = c.state.nodes.id;
+    for (const auto& [cause, amount] : largestSums(c, 0.08, 8))
+        if (cause != "returned") {
+            EXPECT_GT(amount, 1e-9) << cause;
+        }
+    EXPECT_NE(c.state.nodes.id, ids) << "no node has come or gone";
+}
+
+// The foot is a node of no cell any more, and not in fluid.vtu; a new node has its place.
+TEST(Appeared, aFootThatLeavesHandsOver) {
+    TestCase c = gate();
+    const int n = c.state.nodes.size(), foot = nearestNode(c.state.nodes.x, {0.3, 0});
+    countAppeared(c.state);
+    c.state.appeared["contact"][foot] = 0.25;
+    State<2> left = c.state;
+    Points<2> v(n, Vec<2>::Zero());
+    v[foot] = {0, 1};
+    ASSERT_TRUE(leaveFeet(c.topology(), v, left));
+    ASSERT_EQ(left.nodes.size(), n + 1);
+    EXPECT_EQ(left.appeared["contact"][foot], 0);
+    EXPECT_EQ(left.appeared["contact"][n], 0.25);
+    EXPECT_EQ(left.appeared["solver"][n], 0);
+
+    (void)largestSums(c, 0.05, 3);
+    EXPECT_FALSE(c.topology().wet(nodeOf(c.state.nodes, left.nodes.id[foot]))) << "the gate has not been lifted";
+}
+
+TEST(Appeared, countingChangesNothing) {
+    TestCase c = collapse(), counted = c;
+    countAppeared(counted.state);
+    advanceTo(c, 0.3);
+    advanceTo(counted, 0.3);
+    expectIdentical(c.state, counted.state);
+    EXPECT_TRUE(c.state.appeared.empty());
+}
+
+// Counting begins at the time folder that the run goes on from.
+TEST(Appeared, aRestartHasTheSameFields) {
+    const TemporaryFolder folder;
+    TestCase c = collapse();
+    countAppeared(c.state);
+    advanceTo(c, 0.2);
+    writeState(folder.path() / "0.2", c.state, outputFields(c.problem, c.state));
+    countAppeared(c.state);
+    TestCase again = c;
+    again.state = readState<2>(folder.path() / "0.2");
+    EXPECT_TRUE(again.state.appeared.empty());
+    countAppeared(again.state);
+    advanceTo(c, 0.3);
+    advanceTo(again, 0.3);
+    EXPECT_EQ(c.state.appeared, again.state.appeared);
+    EXPECT_GT(largest(c.state.appeared.at("contact")), 0);
+}
+
+TEST(Appeared, writtenWhenAskedFor) {
+    TestCase c = collapse();
+    EXPECT_TRUE(outputFields(c.problem, c.state).ofFluid.empty());
+    countAppeared(c.state);
+    advanceTo(c, 0.01);
+    const auto fields = outputFields(c.problem, c.state).ofFluid;
+    EXPECT_EQ(fields.size(), 10u);
+    ASSERT_EQ(fields.count("ledgerSolver"), 1u);
+    EXPECT_EQ(fields.at("ledgerSolver"), c.state.appeared.at("solver"));
+    const auto wanted = [](const std::string& entries) {
+        const auto dict = Dictionary::parse("functions { mass { type massLedger; " + entries + " } }", "controlDict");
+        return FunctionObjects<2>(Case("."), dict, "0").wantAppeared();
+    };
+    EXPECT_FALSE(wanted(""));
+    EXPECT_FALSE(wanted("writeFields no;"));
+    EXPECT_TRUE(wanted("writeFields yes;"));
+    EXPECT_THROW(wanted("writeFields banana;"), UserError);
+}
+
+}  // namespace
