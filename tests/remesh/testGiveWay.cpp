@@ -128,4 +128,48 @@ TEST(GiveWay, noCellLosesMoreThanHalf) {
     EXPECT_EQ(t.c.state.nodes.x[i], x[i]);
 }
 
+/// The surface sinks wherever it can, by up to `limit` h; the cells' measures before and after.
+std::vector<std::array<double, 2>> sink(Tank& t, double limit) {
+    const Points<2> x = t.c.state.nodes.x;
+    t.c.controls.remeshing.surfaceShift = limit;
+    for (int i = 0; i < t.c.state.nodes.size(); ++i)
+        if (t.topology.freeSurface[i]) t.c.state.nodes.lostVolume[i] = -1;
+    t.shift();
+    std::vector<std::array<double, 2>> measures;
+    for (const auto& s : t.c.state.mesh.fluid.nodes)
+        measures.push_back({simplexMeasure<2>(x, s), simplexMeasure<2>(t.c.state.nodes.x, s)});
+    return measures;
+}
+
+// The large ones, which would be no small ones afterwards.
+TEST(GiveWay, largeCellsKeepHalf) {
+    Tank t;
+    double least = 1;
+    for (const auto& [before, after] : sink(t, 0.4)) {
+        ASSERT_GT(before, 0.2 * t.h * t.h);
+        EXPECT_GE(after, 0.5 * before);
+        least = std::min(least, after / before);
+    }
+    EXPECT_LT(least, 0.7) << "hardly anything has moved";
+}
+
+// A cell that would lose a fifth alone, but be below a tenth of h^2 then.
+TEST(GiveWay, noCellBecomesSmall) {
+    for (const double depth : {0.24, 0.3}) {  // of the cells under the node, in h: 0.12 and 0.15 h^2
+        Tank t;
+        Points<2>& x = t.c.state.nodes.x;
+        const int i = t.surfaceNode(0.5);
+        for (int j = 0; j < t.c.state.nodes.size(); ++j)
+            if (t.topology.freeSurface[j]) x[j][1] = 0.5;
+        const auto& ring = t.topology.ring;
+        for (int s = ring.start[i]; s < ring.start[i + 1]; ++s)
+            if (!t.topology.freeSurface[ring.node[s]]) x[ring.node[s]][1] = 0.5 - depth * t.h;
+        for (const auto& [before, after] : sink(t, 0.05)) {
+            EXPECT_GT(after, 0.5 * before) << "a matter of the other rule";
+            EXPECT_GE(after, std::min(before, 0.1 * t.h * t.h));
+        }
+        EXPECT_NEAR(x[i][1], depth < 0.25 ? 0.5 : 0.5 - 0.05 * t.h, 1e-15);
+    }
+}
+
 }  // namespace
