@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "functions/sensors.hpp"
 #include "functions/wetFaces.hpp"
+#include "mesh/distance.hpp"
 #include "solver/setup.hpp"
 
 namespace pfem {
@@ -32,11 +33,6 @@ struct Weight {
     }
 };
 
-/// Nearest point of the segment a-b, as the weight of b.
-double nearestWeight(const Vec<2>& a, const Vec<2>& b, const Vec<2>& point) {
-    return std::clamp((point - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-}
-
 }  // namespace
 
 template <int Dim>
@@ -44,7 +40,7 @@ std::pair<SensorAnchor<Dim>, double> fixSensor(const State<Dim>& initial, const 
                                                const Vec<Dim>& point) {
     std::pair<SensorAnchor<Dim>, double> best{{}, std::numeric_limits<double>::infinity()};
     const auto consider = [&](const Face<Dim>& face, const Points<Dim>& x, bool onSolid) {
-        const double w = nearestWeight(x[face[0]], x[face[1]], point);
+        const double w = nearestWeight<Dim>(x[face[0]], x[face[1]], point);
         const double distance = ((1 - w) * x[face[0]] + w * x[face[1]] - point).norm();
         if (distance >= best.second) return;
         best = {{{initial.nodes.id[face[0]], initial.nodes.id[face[1]]}, {1 - w, w}, onSolid}, distance};

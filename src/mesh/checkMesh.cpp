@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "mesh/distance.hpp"
 #include "mesh/simplex.hpp"
 
 namespace pfem {
@@ -58,11 +59,6 @@ void findTwins(const Mesh<2>& mesh, const Points<2>& x, const std::vector<double
     }
 }
 
-double distance(const Vec<2>& a, const Vec<2>& b, const Vec<2>& point) {
-    const double w = std::clamp((point - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-    return ((1 - w) * a + w * b - point).norm();
-}
-
 void findGaps(const Mesh<2>& mesh, const Topology<2>& topology, const Points<2>& x,
               const std::vector<double>& h, std::vector<MeshFault>& gaps) {
     std::vector<Face<2>> solid;
@@ -73,8 +69,7 @@ void findGaps(const Mesh<2>& mesh, const Topology<2>& topology, const Points<2>&
         if (face.kind != FaceKind::freeSurface) continue;
         const auto [i, j] = face.nodes;
         const bool gap = std::any_of(solid.begin(), solid.end(), [&](const Face<2>& other) {
-            const Vec<2>&a = x[other[0]], &b = x[other[1]];
-            return distance(a, b, x[i]) < 0.1 * h[i] && distance(a, b, x[j]) < 0.1 * h[j];
+            return distanceToFace<2>(x, other, x[i]) < 0.1 * h[i] && distanceToFace<2>(x, other, x[j]) < 0.1 * h[j];
         });
         if (gap)
             gaps.push_back({"free surface along a wall or solid: a gap, or nodes that are not shared",

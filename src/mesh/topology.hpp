@@ -27,6 +27,18 @@ inline std::vector<bool> wallPatches(const std::vector<PatchKind>& kinds) {
     return walls;
 }
 
+/// Nodes of solids and of all patches (corners of walls, planes of symmetry): the fluid's remeshing leaves them as they are.
+template <int Dim>
+std::vector<unsigned char> keptNodes(const Mesh<Dim>& mesh, int nNodes) {
+    std::vector<unsigned char> kept(nNodes, 0);
+    for (const auto& cell : mesh.solid.nodes)
+        for (int node : cell) kept[node] = 1;
+    for (const auto& patch : mesh.patches)
+        for (const auto& face : patch.faces)
+            for (int node : face) kept[node] = 1;
+    return kept;
+}
+
 enum class FaceKind { freeSurface, interface, wall };
 
 /// A face of the fluid without a fluid neighbour.

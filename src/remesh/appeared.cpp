@@ -24,12 +24,9 @@ void addCells(const std::vector<Simplex<Dim>>& cells, const Points<Dim>& x, doub
 /// Nodes that are written into fluid.vtu: of cells, and what is neither of a solid nor of a patch, drops and others.
 template <int Dim>
 std::vector<unsigned char> fluidNodes(const State<Dim>& state, const std::vector<unsigned char>& wet) {
-    std::vector<unsigned char> result(wet.size(), 1);
-    for (const auto& cell : state.mesh.solid.nodes)
-        for (const int node : cell) result[node] = wet[node];
-    for (const auto& patch : state.mesh.patches)
-        for (const auto& face : patch.faces)
-            for (const int node : face) result[node] = wet[node];
+    const auto kept = keptNodes<Dim>(state.mesh, state.nodes.size());
+    std::vector<unsigned char> result(wet.size());
+    for (std::size_t i = 0; i < wet.size(); ++i) result[i] = wet[i] || !kept[i];
     return result;
 }
 
@@ -80,26 +77,6 @@ void countAppeared(State<Dim>& state) {
 }
 
 template <int Dim>
-MotionWatch<Dim>::MotionWatch(const State<Dim>& state) {
-    if (!state.appeared.empty()) x_ = state.nodes.x;
-}
-
-template <int Dim>
-void MotionWatch<Dim>::book(const std::string& cause, State<Dim>& state, const std::vector<double>& apart) {
-    if (x_.empty()) return;
-    auto& amounts = state.appeared.at(cause);
-    for (const auto& cell : state.mesh.fluid.nodes) {
-        const double change = (simplexMeasure<Dim>(state.nodes.x, cell) - simplexMeasure<Dim>(x_, cell)) / (Dim + 1);
-        for (const int node : cell) amounts[node] += change;
-    }
-    for (std::size_t i = 0; i < apart.size(); ++i) {
-        amounts[i] -= apart[i];
-        state.appeared.at("correction")[i] += apart[i];
-    }
-    x_ = state.nodes.x;
-}
-
-template <int Dim>
 void bookRemeshing(const MovedMesh<Dim>& moved, const std::vector<int>& newIndex, const Connectivity& selected,
                    const std::vector<double>& reshaped, State<Dim>& state) {
     const auto& x = state.nodes.x;
@@ -120,7 +97,6 @@ void bookRemeshing(const MovedMesh<Dim>& moved, const std::vector<int>& newIndex
 
 #define PFEM_INSTANTIATE(D)                                                                           \
     template void countAppeared<D>(State<D>&);                                                        \
-    template class MotionWatch<D>;                                                                    \
     template void bookRemeshing<D>(const MovedMesh<D>&, const std::vector<int>&, const Connectivity&, \
                                    const std::vector<double>&, State<D>&);
 PFEM_INSTANTIATE(2)

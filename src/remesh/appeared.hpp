@@ -12,19 +12,6 @@ namespace pfem {
 template <int Dim>
 void countAppeared(State<Dim>& state);
 
-/// Motions that follow each other with the same cells: each patch Omega_I = sum_e |e|/(d+1) is charged with its change.
-template <int Dim>
-class MotionWatch {
-public:
-    explicit MotionWatch(const State<Dim>& state);
-
-    /// What has changed since the last call (or the start); `apart`: per node, belongs to the cause `correction`.
-    void book(const std::string& cause, State<Dim>& state, const std::vector<double>& apart = {});
-
-private:
-    Points<Dim> x_;  // empty: not asked for
-};
-
 /// After a remeshing: 1/(d+1) of each contact and peeled cell to its nodes, `reshaped` as it is, drops to themselves.
 /// What has no place in fluid.vtu any more, nodes that went and dry places on walls and solids, hands its amounts to its
 /// old neighbours. `newIndex`: of the old nodes; `reshaped`: per new node.

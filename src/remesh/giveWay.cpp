@@ -10,16 +10,13 @@ namespace pfem {
 
 namespace {
 
-/// Nodes of the free surface that may move: not those of solids and patches (corners of walls, planes of symmetry).
+/// Nodes of the free surface that may move.
 template <int Dim>
 std::vector<int> movableSurface(const Topology<Dim>& topology, const Mesh<Dim>& mesh) {
-    std::vector<unsigned char> stays(topology.nNodes(), 0);
-    for (const auto& patch : mesh.patches)
-        for (const auto& face : patch.faces)
-            for (int node : face) stays[node] = 1;
+    const auto kept = keptNodes<Dim>(mesh, topology.nNodes());
     std::vector<int> surface;
     for (int i = 0; i < topology.nNodes(); ++i)
-        if (topology.freeSurface[i] && !topology.held(i) && !stays[i]) surface.push_back(i);
+        if (topology.freeSurface[i] && !kept[i]) surface.push_back(i);
     return surface;
 }
 

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "mesh/distance.hpp"
 #include "mesh/locator.hpp"
 #include "mesh/simplex.hpp"
 #include "remesh/movedMesh.hpp"
@@ -56,9 +57,8 @@ private:
 /// Put the node off the face on the side of n and stop its motion against n.
 void putBack(const Points<2>& x, const Points<2>& v, const Edge& face, const Vec<2>& n, double distance, Vec<2>& xi,
              Vec<2>& vi) {
-    const Vec<2> t = x[face[1]] - x[face[0]];
-    const double s = std::clamp((xi - x[face[0]]).dot(t) / t.squaredNorm(), 0.0, 1.0);
-    xi = x[face[0]] + s * t + distance * n;
+    const double s = nearestWeight<2>(x[face[0]], x[face[1]], xi);
+    xi = x[face[0]] + s * (x[face[1]] - x[face[0]]) + distance * n;
     const Vec<2> surface = (1 - s) * v[face[0]] + s * v[face[1]];
     const double inward = (vi - surface).dot(n);
     if (inward < 0) vi -= inward * n;
@@ -77,16 +77,13 @@ int returnPenetrating<2>(const Topology<2>& topology, double distance, State<2>&
     const FaceBins bins(nodes.x, faces, 2 * hMax);
     const Locator<2> solid(nodes.x, state.mesh.solid.nodes);
 
-    const double before = cellVolume<2>(nodes.x, state.mesh.fluid.nodes);
     int count = 0;
     for (int i = 0; i < nodes.size(); ++i) {
         if (topology.held(i) || !solid.contains(nodes.x[i])) continue;
         int nearest = -1;
         double best = std::numeric_limits<double>::max();
         for (int f : bins.near(nodes.x[i])) {
-            const Vec<2> a = nodes.x[faces[f][0]], t = nodes.x[faces[f][1]] - a;
-            const double s = std::clamp((nodes.x[i] - a).dot(t) / t.squaredNorm(), 0.0, 1.0);
-            const double d = (nodes.x[i] - a - s * t).norm();
+            const double d = distanceToFace<2>(nodes.x, faces[f], nodes.x[i]);
             if (d < best) {
                 best = d;
                 nearest = f;
@@ -97,7 +94,6 @@ int returnPenetrating<2>(const Topology<2>& topology, double distance, State<2>&
         putBack(nodes.x, nodes.v, faces[nearest], n, distance * nodes.h[i], nodes.x[i], nodes.v[i]);
         ++count;
     }
-    state.ledger["returned"] += cellVolume<2>(nodes.x, state.mesh.fluid.nodes) - before;
     return count;
 }
 

@@ -7,7 +7,7 @@
 namespace pfem {
 
 /// Nodes that lie in a solid are put back to `distance` h off its surface, and their velocity towards it (relative
-/// to the surface) is removed. Returns their number; the volume's change is added to state.ledger["returned"].
+/// to the surface) is removed. Returns their number.
 template <int Dim>
 int returnPenetrating(const Topology<Dim>& topology, double distance, State<Dim>& state);
 

@@ -18,17 +18,6 @@ namespace pfem {
 
 namespace {
 
-/// Nodes that never go: of solids and of every patch (corners of walls).
-template <int Dim>
-std::vector<unsigned char> keptNodes(const State<Dim>& state, const Topology<Dim>& topology) {
-    std::vector<unsigned char> kept(state.nodes.size(), 0);
-    for (int i = 0; i < state.nodes.size(); ++i) kept[i] = topology.onSolid[i];
-    for (const auto& patch : state.mesh.patches)
-        for (const auto& face : patch.faces)
-            for (int node : face) kept[node] = 1;
-    return kept;
-}
-
 /// Midpoint of an edge with the mean of its ends; on a wall when the edge lies on it.
 template <int Dim>
 void insertNode(const Nodes<Dim>& old, int i, int j, int wall, State<Dim>& state) {
@@ -186,7 +175,7 @@ RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKi
                     double dt, Triangulator& triangulator, State<Dim>& state) {
     const MovedMesh<Dim> moved = movedMesh<Dim>(state, std::move(topology));
     const double drops = dropVolume<Dim>(state);
-    const auto plan = planNodes<Dim>(controls, moved, state.nodes.h, keptNodes<Dim>(state, moved.topology));
+    const auto plan = planNodes<Dim>(controls, moved, state.nodes.h, keptNodes<Dim>(state.mesh, state.nodes.size()));
     const int material = state.mesh.fluid.material.empty() ? 0 : state.mesh.fluid.material[0];
     const auto newIndex = carryOut<Dim>(plan, moved, state);
 

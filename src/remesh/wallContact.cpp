@@ -88,7 +88,6 @@ template <>
 void landOnWalls<2>(const RemeshingControls& controls, const Topology<2>& topology, const Points<2>& xOld,
                     State<2>& state) {
     Nodes<2>& nodes = state.nodes;
-    const double before = cellVolume<2>(nodes.x, state.mesh.fluid.nodes);
     const Feet feet(topology, nodes);
     for (int i = 0; i < nodes.size(); ++i) {
         const int w = nodes.wall[i];
@@ -116,7 +115,6 @@ void landOnWalls<2>(const RemeshingControls& controls, const Topology<2>& topolo
                 land(line[0], w, feet.stop(topology, w, xOld, nodes, i, s), topology, nodes, i);
         }
     });
-    state.ledger["landed"] += cellVolume<2>(nodes.x, state.mesh.fluid.nodes) - before;
 }
 
 template <>

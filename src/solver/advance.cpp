@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "base/parallel.hpp"
 #include "continuity/residual.hpp"
+#include "mesh/distance.hpp"
 #include "mesh/standing.hpp"
-#include "remesh/appeared.hpp"
 #include "remesh/giveWay.hpp"
 #include "remesh/lostVolume.hpp"
+#include "remesh/motionAccount.hpp"
 #include "remesh/penetration.hpp"
 #include "remesh/wallContact.hpp"
 #include "solver/energyLedger.hpp"
@@ -104,8 +104,7 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
         state.energy["remeshing"] += fluidEnergy<Dim>(problem, state).total() - fluidEnergy<Dim>(problem, last).total();
     const auto constraints = constraintsOver<Dim>(0, report.dt, problem, state, topology);
 
-    MotionWatch<Dim> watch(state);
-    const double volume = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes);
+    MotionAccount<Dim> account(state);
     const double divTarget = volumeCorrection<Dim>(state, controls.continuity.volumeCorrectionTime, report.dt);
     auto result = fsiStep<Dim>(problem, controls, state.mesh, topology, constraints, state.nodes, report.dt, divTarget);
     report.step = result.report;
@@ -117,11 +116,7 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
     state.nodes = std::move(result.nodes);
     state.mesh.solid.sigma = std::move(result.cellSigma);
 
-    const double moved = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes);
-    const double correction = std::accumulate(returned.begin(), returned.end(), 0.0);
-    state.ledger["correction"] += correction;
-    state.ledger["solver"] += moved - volume - correction;
-    watch.book("solver", state, returned);
+    account.bookSolver(returned, state);
     const double stepped = now();
     report.seconds[0] += stepped - start;
     const double energy = fluidEnergy<Dim>(problem, state).total();
@@ -129,16 +124,13 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
     try {
         if (problem.conditions.anyMotion()) standOnWalls(state.mesh, wallPatches(kinds), state.nodes);
         giveWay<Dim>(controls.remeshing, topology, returned, state);
-        const double shifted = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes);
-        state.ledger["surface"] += shifted - moved;
-        watch.book("surface", state);
+        account.book("surface", state);
         releaseFromWalls<Dim>(controls.remeshing, topology, problem.gravity, heaviestFluid<Dim>(problem), state.nodes);
-        state.ledger["released"] += cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes) - shifted;
-        watch.book("released", state);
+        account.book("released", state);
         landOnWalls<Dim>(controls.remeshing, topology, xOld, state);
-        watch.book("landed", state);
+        account.book("landed", state);
         report.returned = returnPenetrating<Dim>(topology, controls.remeshing.wallDistance, state);
-        watch.book("returned", state);
+        if (!state.mesh.solid.nodes.empty()) account.book("returned", state);
         const auto& cells = state.mesh.fluid.nodes;
         chargeMotion<Dim>(topology.fluid, cells, xOld, state.nodes);
         const bool wallsChanged = wallsOld != state.nodes.wall || report.returned > 0;
@@ -161,13 +153,6 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
     return state;
 }
 
-/// How far x is from a face (2D: a segment).
-double distanceToFace(const Points<2>& nodes, const Face<2>& face, const Vec<2>& x) {
-    const Vec<2> t = nodes[face[1]] - nodes[face[0]];
-    const double s = t.squaredNorm() > 0 ? std::clamp((x - nodes[face[0]]).dot(t) / t.squaredNorm(), 0.0, 1.0) : 0.0;
-    return (x - nodes[face[0]] - s * t).norm();
-}
-
 /// How far a drop is from all that it could hit: nodes that are no drops, and faces of walls.
 template <int Dim>
 double distanceToHit(const State<Dim>& state, int drop) {
@@ -177,7 +162,7 @@ double distanceToHit(const State<Dim>& state, int drop) {
         if (!(nodes.dropVolume[i] > 0)) squared = std::min(squared, (nodes.x[i] - nodes.x[drop]).squaredNorm());
     double distance = std::sqrt(squared);
     for (const auto& patch : state.mesh.patches)
-        for (const auto& face : patch.faces) distance = std::min(distance, distanceToFace(nodes.x, face, nodes.x[drop]));
+        for (const auto& face : patch.faces) distance = std::min(distance, distanceToFace<Dim>(nodes.x, face, nodes.x[drop]));
     return distance;
 }
 
@@ -189,7 +174,7 @@ CourantRate courantRate(const State<Dim>& state) {
     CourantRate rate;
     for (const bool drops : {false, true})
         for (int i = 0; i < nodes.size(); ++i) {
-            if (nodes.dropVolume[i] > 0 != drops) continue;
+            if ((nodes.dropVolume[i] > 0) != drops) continue;
             double own = nodes.v[i].norm() / nodes.h[i];
             if (drops && own > rate.largest) own = nodes.v[i].norm() / (nodes.h[i] + distanceToHit<Dim>(state, i));
             rate.largest = std::max(rate.largest, own);

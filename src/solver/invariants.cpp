@@ -73,12 +73,7 @@ Points<Dim> oldPositions(const Nodes<Dim>& last, const Nodes<Dim>& next) {
 
 /// Nodes that went through rigid walls. Faces of patches keep their corners, with other indices in `next`.
 void checkWalls(const Topology<2>& topology, const Points<2>& xOld, const State<2>& next) {
-    std::vector<unsigned char> held(next.nodes.id.size(), 0);  // solids and corners go their own ways
-    for (const auto& cell : next.mesh.solid.nodes)
-        for (int i : cell) held[i] = 1;
-    for (const auto& patch : next.mesh.patches)
-        for (const auto& face : patch.faces)
-            for (int i : face) held[i] = 1;
+    const auto held = keptNodes<2>(next.mesh, next.nodes.size());  // solids and corners go their own ways
     std::vector<std::pair<Face<2>, const std::string*>> walls;  // and the names of their patches
     std::size_t w = 0;
     for (const auto& patch : next.mesh.patches)

@@ -6,6 +6,7 @@
 
 #include <set>
 
+#include "remesh/motionAccount.hpp"
 #include "remesh/penetration.hpp"
 #include "remesh/wallContact.hpp"
 #include "support/cases.hpp"
@@ -183,7 +184,9 @@ TEST(Walls, nodeThatCrossedAWallLandsOnIt) {
     c.state.nodes.x[i] = {0.5, -0.03};
     c.state.nodes.v[i] = {2, -5};
     const double moved = areaOf(c.state);
+    MotionAccount<2> account(c.state);
     landOnWalls<2>(c.controls.remeshing, topology, old, c.state);
+    account.book("landed", c.state);
     EXPECT_NEAR(c.state.nodes.x[i][1], 0, 1e-14);
     EXPECT_NEAR(c.state.nodes.x[i][0], 0.5, 1e-12);
     EXPECT_NEAR(c.state.nodes.v[i][0], 2, 1e-12);
@@ -201,7 +204,9 @@ TEST(Walls, nodeInASolidIsReturned) {
     c.state.nodes.x[i] = {0.405, 0.2};
     c.state.nodes.v[i] = {3, 1};
     const double moved = areaOf(c.state);
+    MotionAccount<2> account(c.state);
     EXPECT_EQ(returnPenetrating<2>(topology, 0.05, c.state), 1);
+    account.book("returned", c.state);
     EXPECT_NEAR(c.state.nodes.x[i][0], 0.4 - 0.05 * c.state.nodes.h[i], 1e-12);
     EXPECT_NEAR(c.state.nodes.v[i][0], 0, 1e-12);
     EXPECT_NEAR(c.state.nodes.v[i][1], 1, 1e-12);

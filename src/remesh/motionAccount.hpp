@@ -1,0 +1,29 @@
+#pragma once
+// What motions do to the fluid's volume, by cause: into the ledger and, where somebody has asked, its fields.
+
+#include "state/state.hpp"
+
+namespace pfem {
+
+/// Motions that follow each other with the same cells: the cells are summed once after each. In the fields (State::appeared)
+/// each patch Omega_I = sum_e |e|/(d+1) is charged with its change.
+template <int Dim>
+class MotionAccount {
+public:
+    explicit MotionAccount(const State<Dim>& state);
+
+    /// What has changed since the last call (or the start).
+    void book(const std::string& cause, State<Dim>& state);
+
+    /// The same of the solver; `returned`, per node, belongs to the cause `correction`.
+    void bookSolver(const std::vector<double>& returned, State<Dim>& state);
+
+private:
+    /// The change of all cells; to the cause's field, too.
+    double change(const std::string& cause, State<Dim>& state);
+
+    double volume_;
+    Points<Dim> x_;  // empty: no fields
+};
+
+}  // namespace pfem
