@@ -87,6 +87,7 @@ TEST(Appeared, aFootThatLeavesHandsOver) {
     const int n = c.state.nodes.size(), foot = nearestNode(c.state.nodes.x, {0.3, 0});
     countAppeared(c.state);
     c.state.appeared["contact"][foot] = 0.25;
+    c.state.nodes.lostVolume[foot] = 1e-5;
     State<2> left = c.state;
     Points<2> v(n, Vec<2>::Zero());
     v[foot] = {0, 1};
@@ -95,6 +96,9 @@ TEST(Appeared, aFootThatLeavesHandsOver) {
     EXPECT_EQ(left.appeared["contact"][foot], 0);
     EXPECT_EQ(left.appeared["contact"][n], 0.25);
     EXPECT_EQ(left.appeared["solver"][n], 0);
+    EXPECT_EQ(left.nodes.lostVolume[foot], 0);
+    EXPECT_EQ(left.nodes.lostVolume[n], 1e-5);
+    c.state.nodes.lostVolume[foot] = 0;
 
     (void)largestSums(c, 0.05, 3);
     EXPECT_FALSE(c.topology().wet(nodeOf(c.state.nodes, left.nodes.id[foot]))) << "the gate has not been lifted";
