@@ -22,7 +22,7 @@ namespace pfem {
 /// There the velocities are unknowns of the matrix: A is the momentum matrix of the solids at elastic interfaces
 /// and the lumped mass at the free surface. Eliminating them adds c B A^{-1} B^T: what the boundary yields under
 /// pressure. c > 1 covers the accelerations in the stabilisation's face terms. All of it, and the precision
-/// in which the factor is kept, shapes the path of the iteration, never the converged step.
+/// in which the factor is kept, shapes the path of the iteration, not what it converges to.
 template <int Dim>
 class ContinuitySystem {
 public:

@@ -10,8 +10,7 @@ namespace pfem {
 
 /// A = L D L^T without pivoting, multifrontal: each front takes up what its children leave, eliminates its
 /// columns and leaves the rest. The last unknowns can stay: what remains of them is their Schur complement. Computed in double
-/// precision and kept as `Stored`: solutions wait for the memory, and with float, good to some 1e-7 of the condition number,
-/// they take half of the time.
+/// precision and kept as `Stored`: solutions wait for the memory; with float they are good to some 1e-7 of the condition number.
 template <class Stored>
 class Multifrontal {
 public:

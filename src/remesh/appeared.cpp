@@ -12,6 +12,14 @@ void share(double amount, const std::vector<int>& nodes, std::vector<double>& am
     for (const int node : nodes) amounts[node] += amount / static_cast<double>(nodes.size());
 }
 
+/// Indices of those that are marked.
+std::vector<int> chosen(const std::vector<unsigned char>& marked) {
+    std::vector<int> result;
+    for (std::size_t i = 0; i < marked.size(); ++i)
+        if (marked[i]) result.push_back(static_cast<int>(i));
+    return result;
+}
+
 /// sign |e|/(d+1) to each node of the cells.
 template <int Dim>
 void addCells(const std::vector<Simplex<Dim>>& cells, const Points<Dim>& x, double sign, std::vector<double>& amounts) {
@@ -30,39 +38,35 @@ std::vector<unsigned char> fluidNodes(const State<Dim>& state, const std::vector
     return result;
 }
 
-/// An old node that has no place in the fluid any more, and the new nodes that take over.
+/// An old node that has no place in the fluid (any more), and the new nodes that take over; none: all of the fluid.
 struct Legacy {
     int old;
     std::vector<int> heirs;
 };
 
-/// Without neighbours in the fluid, all of it inherits. Inserted nodes are in no solid and no patch: they have a place.
+/// Inserted nodes are in no solid and no patch: they have a place.
 template <int Dim>
-std::vector<Legacy> legacies(const MovedMesh<Dim>& moved, const std::vector<int>& newIndex, const State<Dim>& state) {
-    const auto wet = wetNodes<Dim>(state.mesh.fluid.nodes, state.nodes.size());
-    const auto fluid = fluidNodes<Dim>(state, wet);
-    std::vector<int> all;
-    for (int node = 0; node < state.nodes.size(); ++node)
-        if (fluid[node]) all.push_back(node);
+std::vector<Legacy> legacies(const MovedMesh<Dim>& moved, const std::vector<int>& newIndex,
+                             const std::vector<unsigned char>& wet, const std::vector<unsigned char>& fluid) {
     std::vector<Legacy> result;
     for (int i = 0; i < moved.topology.nNodes(); ++i) {
         if (newIndex[i] >= 0 && fluid[newIndex[i]]) continue;
-        auto heirs = heirsOf<Dim>(moved, newIndex, wet, i);
-        result.push_back({i, heirs.empty() ? all : std::move(heirs)});
+        result.push_back({i, heirsOf<Dim>(moved, newIndex, wet, i)});
     }
     return result;
 }
 
 /// The old nodes' amounts added to `booked`, that of the new ones; then the heirs get theirs.
 std::vector<double> passedOn(const std::vector<double>& old, const std::vector<int>& newIndex,
-                             const std::vector<Legacy>& legacies, std::vector<double> booked) {
+                             const std::vector<Legacy>& legacies, const std::vector<unsigned char>& fluid,
+                             std::vector<double> booked) {
     for (std::size_t i = 0; i < old.size(); ++i)
         if (newIndex[i] >= 0) booked[newIndex[i]] += old[i];
     for (const auto& [i, heirs] : legacies) {
         const int node = newIndex[i];
         const double amount = node < 0 ? old[i] : booked[node];
         if (node >= 0) booked[node] = 0;
-        share(amount, heirs, booked);
+        if (amount != 0) share(amount, heirs.empty() ? chosen(fluid) : heirs, booked);
     }
     return booked;
 }
@@ -80,7 +84,10 @@ template <int Dim>
 void bookRemeshing(const MovedMesh<Dim>& moved, const std::vector<int>& newIndex, const Connectivity& selected,
                    const std::vector<double>& reshaped, State<Dim>& state) {
     const auto& x = state.nodes.x;
-    const auto left = legacies<Dim>(moved, newIndex, state);
+    if (state.appeared.empty()) return;
+    const auto wet = wetNodes<Dim>(state.mesh.fluid.nodes, state.nodes.size());
+    const auto fluid = fluidNodes<Dim>(state, wet);
+    const auto left = legacies<Dim>(moved, newIndex, wet, fluid);
     for (auto& [cause, amounts] : state.appeared) {
         std::vector<double> booked(x.size(), 0.0);
         if (cause == "contact") addCells<Dim>(selected.contacts, x, 1, booked);
@@ -91,7 +98,7 @@ void bookRemeshing(const MovedMesh<Dim>& moved, const std::vector<int>& newIndex
             booked = state.nodes.dropVolume;
             for (std::size_t i = 0; i < amounts.size(); ++i) amounts[i] -= moved.dropVolume[i];
         }
-        amounts = passedOn(amounts, newIndex, left, std::move(booked));
+        amounts = passedOn(amounts, newIndex, left, fluid, std::move(booked));
     }
 }
 

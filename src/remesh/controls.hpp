@@ -43,7 +43,8 @@ struct RemeshingControls {
         v("removeDistanceSurface", removeDistanceSurface, "-",
           "distance / h at which a free-surface node is removed", nonNegative);
         v("removeDistanceFilm", removeDistanceFilm, "-",
-          "distance / h at which a free-surface node is removed that comes near to one across a film, or at the end of one",
+          "distance / h at which a free-surface node is removed that comes near to one across a film with two free sides, or at the "
+          "end of one; not above removeDistanceSurface",
           nonNegative);
         v("insertDistance", insertDistance, "-", "edge / h above which a node is inserted", positive);
         v("wallDistance", wallDistance, "-", "distance / h to which a node that entered a solid is returned",

@@ -25,11 +25,11 @@ public:
           near_(moved.x.size(), 0),
           long_(moved.x.size(), 0) {
         plan_.removed.assign(moved.x.size(), 0);
-        const double close = std::max({controls.removeDistance, controls.removeDistanceSurface, controls.removeDistanceFilm});
+        closest_ = std::max(controls.removeDistance, controls.removeDistanceSurface);
         forEach(static_cast<int>(moved.x.size()), [&](int i) {  // most nodes need no second look
             for (int s = ring_.start[i]; s < ring_.start[i + 1]; ++s) {
                 const double distance = distanceTo(ring_.node[s], moved_.x[i], h_[i]);
-                near_[i] |= distance < close;
+                near_[i] |= distance < closest_;
                 long_[i] |= distance >= controls.insertDistance;
             }
         });
@@ -81,7 +81,7 @@ private:
 
     bool isTooClose(int i) const {
         const bool slides = moved_.topology.onWall[i];
-        const bool surface = moved_.topology.freeSurface[i] || slides;
+        const bool surface = moved_.topology.freeSurface[i] || slides, inFilm = surface && isInFilm(i);
         for (int s = ring_.start[i]; s < ring_.start[i + 1]; ++s) {
             const int j = ring_.node[s];
             if (locked_[j] && !kept_[j]) continue;
@@ -89,7 +89,8 @@ private:
             if (slides && !moved_.topology.onWall[j] && !kept_[j]) continue;
             // and the contact line to none that is under water: that one can go without a change of volume
             if (slides && moved_.topology.freeSurface[i] && !moved_.topology.freeSurface[j] && !kept_[j]) continue;
-            if (distanceTo(j, moved_.x[i], h_[i]) < distanceFrom(j, surface, isInFilm(i) || !isBoundaryEdge(i, j))) return true;
+            const double distance = distanceTo(j, moved_.x[i], h_[i]);
+            if (distance < closest_ && distance < distanceFrom(j, surface, inFilm || !isBoundaryEdge(i, j))) return true;
         }
         return false;
     }
@@ -98,15 +99,16 @@ private:
     double distanceTo(int j, const Vec<Dim>& x, double h) const { return (moved_.x[j] - x).norm() / (0.5 * (h_[j] + h)); }
 
     /// How near to j a node may come: one of the surface gives way to nodes of the boundary alone, and to those across a
-    /// film, or at the end of one, only when the film is as thin as removeDistanceFilm h. Else it would go with them.
+    /// film with two free sides, or at the end of one, only when it is as thin as removeDistanceFilm h. Else it would go with them.
     double distanceFrom(int j, bool surface, bool film) const {
         if (!surface) return controls_.removeDistance;
-        if (film && moved_.topology.freeSurface[j] && !kept_[j]) return controls_.removeDistanceFilm;
+        if (film && moved_.topology.freeSurface[j] && !kept_[j])
+            return std::min(controls_.removeDistanceFilm, controls_.removeDistanceSurface);
         const bool boundary = moved_.topology.freeSurface[j] || moved_.topology.onWall[j] || kept_[j];
         return boundary ? controls_.removeDistanceSurface : 0;
     }
 
-    /// A node of the surface with neighbours of the surface alone: the fluid is one cell thick there.
+    /// A node of the surface with neighbours of the surface alone: the fluid is one cell thick there (or the node an ear).
     bool isInFilm(int i) const {
         const auto& free = moved_.topology.freeSurface;
         return free[i] && std::all_of(ring_.node.begin() + ring_.start[i], ring_.node.begin() + ring_.start[i + 1],
@@ -192,6 +194,7 @@ private:
     const std::vector<double>& h_;
     const std::vector<unsigned char>& kept_;
     const NodeToNodes& ring_;
+    double closest_ = 0;  // in units of h: no node goes for one that is farther
     std::vector<unsigned char> locked_;
     std::vector<unsigned char> near_;  // to a neighbour: such a node may have to go
     std::vector<unsigned char> long_;  // the end of an edge that may get a node

@@ -83,10 +83,10 @@ Controls readControls(const Case& theCase, std::ostream* warnings) {
     readPart(dict, "solid", controls.solid);
     readPart(dict, "remeshing", controls.remeshing);
     const auto& r = controls.remeshing;
-    if (r.insertDistance < 2 * std::max(r.removeDistance, r.removeDistanceSurface))
+    if (r.insertDistance < 2 * std::max({r.removeDistance, r.removeDistanceSurface, r.removeDistanceFilm}))
         dict.subDictOrEmpty("remeshing")
-            .fatal("insertDistance", "insertDistance must be at least twice removeDistance and removeDistanceSurface: the "
-                                     "halves of a divided edge would be removed again");
+            .fatal("insertDistance", "insertDistance must be at least twice removeDistance, removeDistanceSurface and removeDistanceFilm: "
+                                     "the halves of a divided edge would be removed again");
     if (warnings) warnUnused(dict, *warnings);
     return controls;
 }
