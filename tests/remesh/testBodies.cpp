@@ -125,7 +125,7 @@ TEST(Bodies, dropOfSevenNodes) {
                           water, "tank { type slip; }");
     c.controls.continuity.volumeReturnTime = 0;
     c.start(1e-3);
-    EXPECT_LT(flight(c, h), 0.01);
+    EXPECT_LT(flight(c, h), 1e-12);
 }
 
 // Two discs touch off their centres, in steps that resolve the approach (0.2 h each): what closes between them, and what
