@@ -30,6 +30,7 @@ struct ControlDict {
     double maxCo = 0.4;
     double maxRelativeCo = 0.2;
     double maxCompression = 0.7;
+    double maxGrowth = 1.2;
     double maxDeltaT = 1e300;
 
     template <class Visitor>
@@ -61,7 +62,9 @@ struct ControlDict {
         v("maxCo", maxCo, "-", "largest |v| deltaT/h of a node", positive);
         v("maxRelativeCo", maxRelativeCo, "-", "largest |v_I - v_J| deltaT/h of two neighbours in the fluid", positive);
         v("maxCompression", maxCompression, "-",
-          "largest -div v deltaT of a triangle: the part of its area that a new contact would lose by its velocities", positive);
+          "largest -div v deltaT of a triangle, the part of its area that it would lose by its velocities: of the fluid, and of "
+          "the air between surfaces that are about to meet", positive);
+        v("maxGrowth", maxGrowth, "-", "largest ratio of a step to the one before", atLeast(1.0));
         v("maxDeltaT", maxDeltaT, "s", "largest time step", positive);
     }
 };

@@ -16,7 +16,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double growth = 1.2;     // of a step over the one before
 constexpr double sameTime = 1e-6;  // of a step: nearer than this means equal
 
 /// The folder that startFrom asks for.
@@ -101,7 +100,7 @@ bool TimeControl::running(const TimeInfo& time) const {
 
 double TimeControl::deltaT(const TimeInfo& time, double courantRate, double relativeRate, double compressionRate) const {
     const bool first = time.index == 0 || !(time.deltaT > 0);
-    double dt = first ? controls_.deltaT : growth * time.deltaT;
+    double dt = first ? controls_.deltaT : controls_.maxGrowth * time.deltaT;
     if (controls_.adjustTimeStep) {
         dt = std::min(dt, controls_.maxDeltaT);
         if (courantRate > 0) dt = std::min(dt, controls_.maxCo / courantRate);

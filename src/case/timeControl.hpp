@@ -31,7 +31,7 @@ public:
     /// Is there another step to do after `time`?
     bool running(const TimeInfo& time) const;
 
-    /// Length of the step that comes after `time` [s]: by deltaT, maxCo, maxDeltaT, at most 1.2 times the
+    /// Length of the step that comes after `time` [s]: by deltaT, maxCo, maxDeltaT, at most maxGrowth times the
     /// last one, and fitted so that the next write falls exactly on k*writeInterval. `courantRate`: the
     /// largest |v|/h of the mesh, `relativeRate`: that of neighbours to each other, `compressionRate`: the largest -div v [1/s]; 0
     /// when they do not matter.

@@ -124,6 +124,7 @@ void writeGrid(const std::filesystem::path& file, vtkUnstructuredGrid* grid) {
     writer->SetDataModeToAppended();
     writer->EncodeAppendedDataOff();
     writer->SetCompressorTypeToZLib();
+    writer->SetCompressionLevel(1);
     writer->SetByteOrderToLittleEndian();
     writer->SetHeaderTypeToUInt64();
     const int written = writer->Write();

@@ -115,6 +115,7 @@ State<Dim> readState(const std::filesystem::path& folder) {
     State<Dim> state;
     state.time = uniform.time;
     state.nextId = uniform.nextId;
+    state.approach = uniform.approach;
     state.ledger = uniform.ledger;
     state.energy = uniform.energy;
     state.memory = uniform.memory;

@@ -64,7 +64,8 @@ std::string formatUniformTime(const UniformTime& uniform, const std::string& fol
     text += fmt::format("{:<15} {};\n", "index", uniform.time.index);
     text += entry("deltaT", uniform.time.deltaT);
     text += entry("deltaT0", uniform.time.deltaT0);
-    text += fmt::format("{:<15} {};\n\n", "nextId", uniform.nextId);
+    text += fmt::format("{:<15} {};\n", "nextId", uniform.nextId);
+    text += entry("approach", uniform.approach) + "\n";
     text += "// Cumulative fluid volume by cause [m2 in 2D, m3 in 3D]\nledger\n{\n";
     for (const auto& [cause, volume] : uniform.ledger) text += "    " + entry(cause, volume);
     text += "}\n\n// Cumulative energy that came with volume and remeshing, not by the equations [J/m in 2D, J in 3D]\nenergy\n{\n";
@@ -92,6 +93,7 @@ UniformTime readUniformTime(const std::filesystem::path& folder) {
     uniform.time.deltaT0 = readStep(dict, "deltaT0");
     uniform.name = dict.get("name", "");
     uniform.nextId = readWhole(dict, "nextId", Id{1} << 60);
+    if (dict.found("approach")) uniform.approach = readStep(dict, "approach");  // folders of older versions have none
     const Dictionary ledger = dict.subDict("ledger");
     for (const auto& cause : ledger.keys()) uniform.ledger[cause] = readFinite(ledger, cause);
     if (dict.found("energy")) {  // folders of older versions have none

@@ -14,6 +14,7 @@ namespace pfem {
 struct UniformTime {
     TimeInfo time;
     Id nextId = 0;
+    double approach = 0;                           // of surfaces that are about to meet or have just met [1/s]
     std::map<std::string, double> ledger;          // cumulative fluid volume by cause [m2 (2D), m3]
     std::map<std::string, double> energy = {};     // the same for energy [J/m (2D), J]
     std::map<std::string, std::string> checksums;  // of the folder's files, by checksumOf(); or "none"

@@ -53,7 +53,8 @@ struct MomentumControls {
           "mass",
           oneOf({"local", "matrixMeans"}));
         v("viscousLimit", viscousLimit, "-",
-          "largest ratio of viscous forces to inertia (2 mu dt/(rho h^2)) that is left out of the momentum MATRIX",
+          "ratio of viscous forces to inertia (2 mu dt/(rho h^2)) that is left out of the momentum MATRIX; light nodes, a thousandth of "
+          "the mass, may have thirty times that and get the diagonal",
           nonNegative);
         v("linearTolerance", linearTolerance, "-", "relative residual of the conjugate gradients", positive);
         v("maxLinearIterations", maxLinearIterations, "-", "limit of the conjugate gradients", atLeast(1));

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 
 #include "base/parallel.hpp"
 
@@ -49,12 +51,30 @@ std::vector<double> viscousDiagonal(const Patches<Dim>& fluid, const std::vector
     return diagonal;
 }
 
-/// Largest ratio of the viscous matrix's diagonal to that of the mass.
-double largestRatio(const std::vector<double>& viscous, const std::vector<double>& massDiagonal) {
-    double largest = 0;
-    for (std::size_t i = 0; i < viscous.size(); ++i)
-        if (massDiagonal[i] > 0) largest = std::max(largest, viscous[i] / massDiagonal[i]);
-    return largest;
+/// Ratios of the viscous matrix's diagonal to that of the mass: the largest, and the one that nodes with a thousandth of the
+/// mass exceed, to the next power of two.
+struct Ratios {
+    double largest = 0, typical = 0;
+};
+Ratios viscousRatios(const std::vector<double>& viscous, const std::vector<double>& massDiagonal) {
+    constexpr double part = 1e-3;
+    Ratios ratios;
+    std::map<int, double, std::greater<>> massAbove;  // per binary exponent of the ratio
+    double mass = 0, above = 0;
+    for (std::size_t i = 0; i < viscous.size(); ++i) {
+        if (!(massDiagonal[i] > 0 && viscous[i] > 0)) continue;
+        const double ratio = std::min(viscous[i] / massDiagonal[i], 1e30);
+        ratios.largest = std::max(ratios.largest, ratio);
+        massAbove[std::ilogb(ratio)] += massDiagonal[i];
+        mass += massDiagonal[i];
+    }
+    for (const auto& [exponent, amount] : massAbove) {
+        above += amount;
+        if (above <= part * mass) continue;
+        ratios.typical = std::ldexp(1.0, exponent + 1);
+        break;
+    }
+    return ratios;
 }
 
 /// One value for all points: mean diagonal of the mass matrix over that of sum_e |e| grad N_I . grad N_I / Dim.
@@ -105,8 +125,13 @@ template <int Dim>
 void MomentumSystem<Dim>::setViscosity(FlowViscosity<Dim> viscosity) {
     viscosity_ = std::move(viscosity);
     viscousDiagonal_ = viscousDiagonal<Dim>(fluid_, viscosity_.mu);
-    viscousNumber_ = largestRatio(viscousDiagonal_, diagonal_);
-    viscous_ = controls_.theta > 0 || viscousNumber_ > controls_.viscousLimit;
+    const Ratios ratios = viscousRatios(viscousDiagonal_, diagonal_);
+    viscousNumber_ = ratios.typical;
+    // light nodes on flat triangles do not make the whole fluid a thick one as long as the diagonal alone converges there
+    viscous_ = controls_.theta > 0 || ratios.typical > controls_.viscousLimit || ratios.largest > 30 * controls_.viscousLimit;
+    forEach(static_cast<int>(diagonal_.size()), [&](int i) {
+        if (!viscous_ && viscousDiagonal_[i] <= controls_.viscousLimit * diagonal_[i]) viscousDiagonal_[i] = 0;
+    });
 }
 
 template <int Dim>
@@ -156,7 +181,7 @@ Points<Dim> MomentumSystem<Dim>::precondition(const Points<Dim>& r) const {
     Points<Dim> z(r.size(), Vec<Dim>::Zero());
     // projected again: the round-off of a large wall reaction must not become a direction
     forEach(static_cast<int>(r.size()), [&](int i) {
-        if (diagonal_[i] > 0) z[i] = constraints_.project(i, r[i]) / (diagonal_[i] + (viscous_ ? viscousDiagonal_[i] : 0));
+        if (diagonal_[i] > 0) z[i] = constraints_.project(i, r[i]) / (diagonal_[i] + viscousDiagonal_[i]);
     });
     if (dofs_.n > 0) scatter(factor_.solve(gather(r)), z);
     return z;
@@ -169,7 +194,7 @@ Points<Dim> MomentumSystem<Dim>::solve(const Points<Dim>& residual) {
     r = restricted(r);
     Points<Dim> z = precondition(r);
     iterations_ = 1;
-    if (!viscous_) return z;  // the preconditioner is the matrix
+    if (!viscous_) return z;  // the diagonal will do
 
     Points<Dim> u(r.size(), Vec<Dim>::Zero());
     Points<Dim> direction = z;

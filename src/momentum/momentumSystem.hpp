@@ -29,7 +29,7 @@ public:
     /// dv of all nodes for the right-hand side -R; zero where a velocity is prescribed and on isolated nodes.
     Points<Dim> solve(const Points<Dim>& residual);
 
-    /// Largest ratio of viscous forces to inertia, 2 mu dt/(rho h^2).
+    /// Ratio of viscous forces to inertia, 2 mu dt/(rho h^2), that more than a few light nodes exceed; to a factor of two.
     double viscousNumber() const { return viscousNumber_; }
 
     /// Is the viscosity in the matrix, not only in the residual?

@@ -69,7 +69,8 @@ public:
           moved_(moved),
           places_(places),
           inside_(t_.cells.size(), 0),
-          accepted_(t_.cells.size(), 0) {}
+          accepted_(t_.cells.size(), 0),
+          gap_(t_.cells.size(), 0) {}
 
     Connectivity select() {
 #pragma omp parallel for schedule(static) if (static_cast<int>(t_.cells.size()) > shortLoop)
@@ -80,6 +81,7 @@ public:
         peel();
         result.fluid.reserve(t_.cells.size());
         for (std::size_t e = 0; e < t_.cells.size(); ++e) {
+            if (gap_[e]) result.gaps.push_back(t_.cells[e]);
             if (!accepted_[e]) continue;
             result.fluid.push_back(t_.cells[e]);
             if (inside_[e]) continue;
@@ -103,6 +105,13 @@ private:
         }
         if (allHeld || isBehindWall(s, centre) || places_.solid.contains(centre)) return;
         accepted_[e] = isContact(controls_, nodes_, s);
+        gap_[e] = !accepted_[e] && isGap(s);
+    }
+
+    /// Where fluid, two nodes in cells or drops, may soon meet fluid or a solid.
+    bool isGap(const Simplex<2>& s) const {
+        const auto fluid = std::count_if(s.begin(), s.end(), [&](int node) { return !nodes_.held[node]; });
+        return fluid >= 2 && circumradius(nodes_.x, s) < controls_.newContactRadius * meanSize(nodes_, s);
     }
 
     /// Does the moved old mesh hold the point? Mostly in a cell of one of the triangle's own nodes.
@@ -230,6 +239,7 @@ private:
     const MovedPlaces& places_;
     std::vector<unsigned char> inside_;
     std::vector<unsigned char> accepted_;
+    std::vector<unsigned char> gap_;
     std::vector<int> cells_;  // accepted cells per node
     Connectivity result_;
 };

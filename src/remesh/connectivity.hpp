@@ -25,6 +25,7 @@ struct Connectivity {
     double stretched = 0;  // volume peeled off inside it: stretched triangles and slivers
     double released = 0;   // volume peeled off inside it: wall nodes that were released
     std::vector<Simplex<2>> contacts, stretchedCells, releasedCells;  // the triangles that these are made of
+    std::vector<Simplex<2>> gaps;  // triangles of air, no larger than a contact may be, between surfaces or drops
     std::vector<double> gained;  // contact - stretched - released per node, a third of each triangle
 };
 
@@ -38,7 +39,7 @@ struct MovedPlaces {
 /// Inside the moved old mesh everything is fluid; from its boundary, triangles with a circumradius above
 /// alphaInside alpha h, slivers and collapsing triangles with a node of their own are peeled off, and a solid's node carried by one triangle is released when the
 /// fluid has come nearer to the other solid node. Outside, a triangle is a new contact and must be small, close
-/// and closing.
+/// and closing; one that is small alone is a gap.
 Connectivity selectFluid(const RemeshingControls& controls, const Triangulation<2>& triangulation,
                          const CandidateNodes& nodes, const MovedMesh<2>& moved, const MovedPlaces& places);
 

@@ -17,6 +17,7 @@ struct RemeshingControls {
     double removeDistance = 0.6;
     double removeDistanceSurface = 0.4;
     double removeDistanceFilm = 0.25;
+    double removeHeight = 0.3;
     double insertDistance = 1.7;
     double wallDistance = 0.05;
     double landingDistance = 0.1;
@@ -45,6 +46,10 @@ struct RemeshingControls {
         v("removeDistanceFilm", removeDistanceFilm, "-",
           "distance / h at which a free-surface node is removed that comes near to one across a film with two free sides, or at the "
           "end of one; not above removeDistanceSurface",
+          nonNegative);
+        v("removeHeight", removeHeight, "-",
+          "height / h over a face of the free surface below which a node inside the fluid is removed: flat triangles there hold "
+          "up the time step and the iteration",
           nonNegative);
         v("insertDistance", insertDistance, "-", "edge / h above which a node is inserted", positive);
         v("wallDistance", wallDistance, "-", "distance / h to which a node that entered a solid is returned",

@@ -72,10 +72,25 @@ private:
         lockPatch(i);
     }
 
+    /// Nodes of no boundary in a flat cell under the surface: the surface stays, and so does the volume.
+    std::vector<unsigned char> isUnderSurface() const {
+        const auto& t = moved_.topology;
+        std::vector<unsigned char> under(moved_.x.size(), 0);
+        for (const auto& face : t.faces) {
+            if (face.kind != FaceKind::freeSurface) continue;
+            const auto& cell = moved_.fluid[face.cell];
+            const double volume = Dim * simplexMeasure<Dim>(moved_.x, cell), area = faceArea<Dim>(moved_.x, face.nodes).norm();
+            for (int i : cell)
+                under[i] |= !t.freeSurface[i] && !t.onWall[i] && volume < controls_.removeHeight * h_[i] * area;
+        }
+        return under;
+    }
+
     void removeClose() {
+        const auto under = isUnderSurface();
         for (int i = 0; i < static_cast<int>(moved_.x.size()); ++i) {
-            if (!near_[i] || kept_[i] || locked_[i] || !moved_.topology.wet(i)) continue;
-            if (isTooClose(i)) remove(i);
+            if (kept_[i] || locked_[i] || !moved_.topology.wet(i)) continue;
+            if (under[i] || (near_[i] && isTooClose(i))) remove(i);
         }
     }
 

@@ -171,8 +171,8 @@ bool isDistorted(double distortion, const Points<2>& x, const std::vector<Simple
 }
 
 template <int Dim>
-RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKind>& kinds, Topology<Dim> topology,
-                    double dt, Triangulator& triangulator, State<Dim>& state) {
+RemeshReport<Dim> remesh(const RemeshingControls& controls, const std::vector<PatchKind>& kinds, Topology<Dim> topology,
+                         double dt, Triangulator& triangulator, State<Dim>& state) {
     const MovedMesh<Dim> moved = movedMesh<Dim>(state, std::move(topology));
     const double drops = dropVolume<Dim>(state);
     const auto plan = planNodes<Dim>(controls, moved, state.nodes.h, keptNodes<Dim>(state.mesh, state.nodes.size()));
@@ -208,13 +208,15 @@ RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKi
     state.ledger["isolated"] += dropVolume<Dim>(state) - drops;
     clearDryPressure(state);
 
-    RemeshReport report;
+    RemeshReport<Dim> report;
     report.removed = std::accumulate(plan.removed.begin(), plan.removed.end(), 0);
     report.inserted = static_cast<int>(plan.inserted.size());
+    report.contacts = selected.contacts;
+    report.gaps = selected.gaps;
     return report;
 }
 
-template RemeshReport remesh<2>(const RemeshingControls&, const std::vector<PatchKind>&, Topology<2>, double, Triangulator&,
-                                State<2>&);
+template RemeshReport<2> remesh<2>(const RemeshingControls&, const std::vector<PatchKind>&, Topology<2>, double, Triangulator&,
+                                   State<2>&);
 
 }  // namespace pfem

@@ -11,9 +11,15 @@ namespace pfem {
 /// `distortion`? Always true when that is 0: remesh every step.
 bool isDistorted(double distortion, const Points<2>& x, const std::vector<Simplex<2>>& fluid);
 
-struct RemeshReport {
+struct NodeChanges {
     int removed = 0;
     int inserted = 0;
+};
+
+template <int Dim>
+struct RemeshReport : NodeChanges {
+    std::vector<Simplex<Dim>> contacts;  // cells that were accepted outside the moved old mesh
+    std::vector<Simplex<Dim>> gaps;      // what may soon become one
 };
 
 /// Remove and insert nodes, triangulate with walls, solids and the free surface as constraints, select the fluid.
@@ -21,12 +27,12 @@ struct RemeshReport {
 /// mesh), "stretched" and "released" (peeled off inside it), "reshaped" (partly covered triangles, removed
 /// surface nodes, overlaps), "isolated" (carried by particles without triangles).
 template <int Dim>
-RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKind>& kinds, Topology<Dim> topology,
-                    double dt, Triangulator& triangulator, State<Dim>& state);
+RemeshReport<Dim> remesh(const RemeshingControls& controls, const std::vector<PatchKind>& kinds, Topology<Dim> topology,
+                         double dt, Triangulator& triangulator, State<Dim>& state);
 
 /// The same when neither is at hand.
 template <int Dim>
-RemeshReport remesh(const RemeshingControls& controls, const std::vector<PatchKind>& kinds, State<Dim>& state) {
+RemeshReport<Dim> remesh(const RemeshingControls& controls, const std::vector<PatchKind>& kinds, State<Dim>& state) {
     Triangulator triangulator;
     return remesh<Dim>(controls, kinds, makeTopology<Dim>(state.mesh, kinds, state.nodes.wall), state.time.deltaT,
                        triangulator, state);

@@ -15,6 +15,7 @@
 #include "remesh/penetration.hpp"
 #include "remesh/wallContact.hpp"
 #include "solver/energyLedger.hpp"
+#include "solver/impact.hpp"
 #include "solver/invariants.hpp"
 
 namespace pfem {
@@ -90,6 +91,23 @@ ViscousFluid heaviestFluid(const Problem<Dim>& problem) {
     return result;
 }
 
+/// Largest rate at which simplices between surfaces close, -div v, as if they were no flatter than leastHeight h [1/s].
+template <int Dim>
+double closingRate(const Nodes<Dim>& nodes, const std::vector<Simplex<Dim>>& simplices, double leastHeight) {
+    double largest = 0;
+    for (const auto& s : simplices) {
+        double area = 0, h = 0;
+        for (int k = 0; k <= Dim; ++k) {
+            area = std::max(area, faceArea<Dim>(nodes.x, oppositeFace<Dim>(s, k)).norm());
+            h += nodes.h[s[k]] / (Dim + 1);
+        }
+        const double height = Dim * simplexMeasure<Dim>(nodes.x, s) / area;
+        const double flat = std::min(1.0, height / (leastHeight * h + 1e-300));
+        largest = std::max(largest, -simplexDivergence<Dim>(nodes.x, nodes.v, s) * flat);
+    }
+    return largest;
+}
+
 /// The state after a step of report.dt with its new connectivity. Throws FailedStep when it cannot be accepted.
 template <int Dim>
 State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, Triangulator& triangulator,
@@ -134,12 +152,17 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
         const auto& cells = state.mesh.fluid.nodes;
         chargeMotion<Dim>(topology.fluid, cells, xOld, state.nodes);
         const bool wallsChanged = wallsOld != state.nodes.wall || report.returned > 0;
-        if (wallsChanged || isDistorted(controls.remeshing.distortion, state.nodes.x, cells))
-            report.mesh = remesh<Dim>(controls.remeshing, kinds,
-                                      wallsOld == state.nodes.wall
-                                          ? topology
-                                          : withWalls<Dim>(state.mesh, kinds, state.nodes.wall, topology),
-                                      report.dt, triangulator, state);
+        if (wallsChanged || isDistorted(controls.remeshing.distortion, state.nodes.x, cells)) {
+            const auto remeshed = remesh<Dim>(controls.remeshing, kinds,
+                                              wallsOld == state.nodes.wall
+                                                  ? topology
+                                                  : withWalls<Dim>(state.mesh, kinds, state.nodes.wall, topology),
+                                              report.dt, triangulator, state);
+            const double met = closingRate<Dim>(state.nodes, remeshed.contacts, controls.remeshing.contactHeight);
+            strike<Dim>(problem, remeshed.contacts, state);
+            state.approach = std::max(met, closingRate<Dim>(state.nodes, remeshed.gaps, 0));
+            report.mesh = remeshed;
+        }
         state.energy["remeshing"] += fluidEnergy<Dim>(problem, state).total() - energy;
     } catch (const StepFailure& failure) {  // the new mesh is unfinished
         throw FailedStep<Dim>(failure, withNodesOf<Dim>(last, state.nodes));
@@ -192,7 +215,7 @@ CourantRate courantRate(const State<Dim>& state) {
             }
         compression = std::max(compression, -simplexDivergence<Dim>(nodes.x, nodes.v, s));
     }
-    rate.compression = compression;
+    rate.compression = std::max(compression, state.approach);
     rate.relative = std::sqrt(squared);
     return rate;
 }

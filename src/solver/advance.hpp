@@ -8,7 +8,7 @@ namespace pfem {
 
 struct AdvanceReport {
     StepReport step;
-    RemeshReport mesh;
+    NodeChanges mesh;
     double dt = 0;      // the step that was accepted [s]
     int rejected = 0;   // tries that were not
     int returned = 0;   // nodes put back out of solids
@@ -36,7 +36,7 @@ struct CourantRate {
     double largest = 0, mean = 0;  // |v|/h of all nodes; particles in free flight count: they are the first to hit
                                    // something; those that have left the box of walls, solids and fluid, by their distance
     double relative = 0;           // largest |v_I - v_J|/h of neighbours in the fluid: how fast triangles change
-    double compression = 0;        // largest - div v of a fluid triangle: new contacts close so until pressure answers
+    double compression = 0;        // largest -div v of a fluid triangle, and between surfaces that are about to meet or have just met
 };
 template <int Dim>
 CourantRate courantRate(const State<Dim>& state);

@@ -91,6 +91,7 @@ Inspection<Dim> inspect(const FailedStep<Dim>& failure, const State<Dim>& last) 
     state.time = last.time;
     state.nextId = std::max(last.nextId, nodes.id.empty() ? 0 : nodes.id.back() + 1);
     state.ledger = last.ledger;
+    state.approach = last.approach;
     state.energy = last.energy;
     state.appeared.clear();  // of the failed step, the ledger is that of the last
     int named = 0;

@@ -43,15 +43,15 @@ void checkCells(const char* kind, const Nodes<Dim>& nodes, const std::vector<Sim
                       idsOf<Dim>(nodes, cell));
 }
 
-/// Did a point pass through a face from its front (left) to its back while both moved? With more than `slack` on both
-/// sides, and within the face on the way; one that stood on the face (and slides over its end) where it arrived.
+/// Did a point pass through a face from its front (left) to its back while both moved? From where it would have landed (1e-9 h)
+/// to more than `slack` behind, and within the face on the way; one that stood on the face (and slides over its end) where it arrived.
 bool crossed(const Face<2>& face, const Points<2>& faceOld, const Points<2>& faceNew, const Vec<2>& xOld,
              const Vec<2>& xNew, double slack) {
     const auto distance = [&](const Points<2>& x, const Vec<2>& point) {
         return -faceArea<2>(x, face).normalized().dot(point - x[face[0]]);
     };
     const double before = distance(faceOld, xOld), after = distance(faceNew, xNew);
-    if (!(before > -slack && after < -slack)) return false;
+    if (!(before > -1e-7 * slack && after < -slack)) return false;  // what came round an end was behind it, and did not land
     const double part = before > slack ? before / (before - after) : 1;  // of the way
     const Vec<2> place = xOld + part * (xNew - xOld);
     const Vec<2> a = faceOld[face[0]] + part * (faceNew[face[0]] - faceOld[face[0]]);

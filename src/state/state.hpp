@@ -51,6 +51,7 @@ struct State {
     Nodes<Dim> nodes;
     Mesh<Dim> mesh;
     Id nextId = 0;                         // the id of the next node to be inserted
+    double approach = 0;                   // how fast surfaces that are about to meet, or have just met, close: largest -div v of the triangles between [1/s]
     std::map<std::string, double> ledger;  // cumulative fluid volume by cause [m2 (2D), m3]
     /// For the eye (ledgerSolver, ...): the part of the ledger since the last time folder that each node has, by cause;
     /// empty when nobody has asked. A run that goes on begins with zeros, for it begins with a time folder.

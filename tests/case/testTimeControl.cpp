@@ -132,6 +132,8 @@ TEST_F(TimeControlTest, CourantNumberLimitsTheStep) {
     time = control.advance(time, 0.0005);
     EXPECT_NEAR(control.deltaT(time, 1), 1.2 * 0.0005, 1e-6);  // growth damped
     EXPECT_EQ(time.deltaT0, 0.0005);
+    write("endTime 1; deltaT 0.01; adjustTimeStep yes; maxCo 0.5; maxGrowth 3; writeControl none;");
+    EXPECT_NEAR(open().deltaT(time, 1), 3 * 0.0005, 2e-6);
 }
 
 TEST_F(TimeControlTest, RelativeVelocityAndCompressionLimitTheStep) {

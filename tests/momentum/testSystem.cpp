@@ -59,6 +59,48 @@ TEST(MomentumSystem, solutionBalancesTheResidual) {
     }
 }
 
+// A node that hangs on one flat triangle is light, and viscosity counts there; that does not make the water a thick fluid.
+TEST(MomentumSystem, aFewLightNodesDoNotMakeAThickFluid) {
+    const auto number = [](double mu, double flat) {
+        TestCase c = makeCase("meshSize 0.02; bodies ( water { type fluid; material water; pattern oneWay; " + rectangle(0, 0, 1, 1) + " } );",
+                              "water { type newtonian; rho 1000; mu " + std::to_string(mu) + "; kappa 2.1e9; }", "");
+        const auto topology = c.topology();
+        int light = -1;
+        for (int i = 0; i < c.state.nodes.size(); ++i)
+            if (topology.fluid.count(i) == 1) {
+                light = i;
+                const auto& s = c.state.mesh.fluid.nodes[topology.fluid.cell[topology.fluid.start[i]]];
+                const Vec<2> base = 0.5 * (c.state.nodes.x[s[0]] + c.state.nodes.x[s[1]] + c.state.nodes.x[s[2]] - c.state.nodes.x[i]);
+                c.state.nodes.x[i] = base + flat * (c.state.nodes.x[i] - base);
+            }
+        const auto constraints = c.constraints(topology);
+        const Newmark newmark{1e-3};
+        const auto fluid = makePatches<2>(c.state.mesh.fluid.nodes, topology.fluid, c.state.nodes.x);
+        const auto mass = fluidMass<2>(c.problem, c.state.mesh.fluid, fluid);
+        const auto viscosity = flowViscosity<2>(c.problem, c.state.mesh.fluid, fluid, c.state.nodes.v);
+        MomentumSystem<2> system(c.problem, {}, c.state.mesh, topology, constraints, fluid, viscosity, mass,
+                                 solidDofs<2>(topology.solid, constraints), {}, newmark);
+        EXPECT_GE(light, 0);
+        Points<2> R(c.state.nodes.size(), Vec<2>::Zero());
+        R[light] = {1, 0};
+        const double inertia = newmark.massFactor() * mass[light];
+        return std::tuple(system.viscousNumber(), system.isViscous(), -1 / (system.solve(R)[light][0] * inertia) - 1);
+    };
+    const auto [water, waterIsThick, waterRatio] = number(0.1, 1);
+    EXPECT_GT(water, 1e-4);
+    EXPECT_LT(water, 1e-2);
+    EXPECT_FALSE(waterIsThick);
+    EXPECT_NEAR(waterRatio, 0, 1e-12);  // only mass is in the matrix
+    const auto [withLight, lightIsThick, lightRatio] = number(0.1, 0.1);
+    EXPECT_EQ(withLight, water);
+    EXPECT_GT(lightRatio, 0.01);  // it alone is above the limit: the diagonal, too
+    EXPECT_FALSE(lightIsThick);
+    EXPECT_TRUE(std::get<1>(number(0.1, 1e-5)));  // there the diagonal would not do
+    const auto [honey, honeyIsThick, honeyRatio] = number(0.1 * 1024, 1);
+    EXPECT_EQ(honey, 1024 * water);
+    EXPECT_TRUE(honeyIsThick);
+}
+
 // d(residual)/dv of the inertia: 1/(gamma dt) m, trapezoidal 2 m/dt.
 TEST(MomentumResidual, inertiaAgainstFiniteDifferences) {
     const Newmark newmark{1e-2};

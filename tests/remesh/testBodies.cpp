@@ -128,9 +128,9 @@ TEST(Bodies, dropOfSevenNodes) {
     EXPECT_LT(flight(c, h), 1e-12);
 }
 
-// Two discs touch off their centres, in steps that resolve the approach (0.2 h each): what closes between them, and what
-// the impact presses, is less than h^2 in a step: beside the volume it falls with h^2, and from 10000 h^2 on it
-// is less than 1e-4. In steps of 0.4 h each the surfaces cross before they are seen to touch, and 1.4 h^2 of overlap is lost.
+// Two discs touch off their centres, in the solver's own steps. What closes between them, and what the impact presses, is about h^2 in a
+// step: beside the volume it falls with h^2, and from 11000 h^2 on it is less than 1e-4 (19700 h^2: 4.5e-5). In steps that do not see the air between the
+// surfaces (State::approach) they cross before they are seen to touch, and 1.4 h^2 of overlap is lost.
 class Merging : public testing::TestWithParam<double> {};
 
 TEST_P(Merging, isWithoutAJump) {
@@ -145,7 +145,8 @@ TEST_P(Merging, isWithoutAJump) {
     c.start(1e-3);
     const double first = totalVolume<2>(c.state);
     double last = first, jump = 0, change = 0;
-    while (c.state.time.value < 0.5) {
+    const double end = h < 0.01 ? 0.1 : 0.5;  // the finest one for the impact alone
+    while (c.state.time.value < end) {
         const auto rate = courantRate<2>(c.state);
         c.step(std::min({0.2 / rate.largest, 0.2 / (rate.relative + 1e-300), 0.7 / (rate.compression + 1e-300)}));
         const double now = totalVolume<2>(c.state);
@@ -157,9 +158,12 @@ TEST_P(Merging, isWithoutAJump) {
               << shares(c.state, first);
     EXPECT_GT(c.state.ledger.at("contact"), 0);
     EXPECT_LT(jump, h * h);
+    if (first > 11000 * h * h) {
+        EXPECT_LT(jump, 6e-5 * first);
+    }
     EXPECT_LT(change, 2e-3 * first);
 }
-INSTANTIATE_TEST_SUITE_P(, Merging, testing::Values(0.02, 0.01),
+INSTANTIATE_TEST_SUITE_P(, Merging, testing::Values(0.02, 0.01, 0.005),
                          [](const auto& test) { return "h" + std::to_string(std::lround(1000 * test.param)) + "mm"; });
 
 }  // namespace

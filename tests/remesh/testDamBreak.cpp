@@ -76,7 +76,7 @@ bool sameBits(const State<2>& a, const State<2>& b) {
     return a.nodes.id == b.nodes.id && a.nodes.x == b.nodes.x && a.nodes.v == b.nodes.v && a.nodes.a == b.nodes.a &&
            a.nodes.p == b.nodes.p && a.nodes.sigma == b.nodes.sigma && a.nodes.dropVolume == b.nodes.dropVolume &&
            a.nodes.lostVolume == b.nodes.lostVolume &&
-           a.mesh.fluid.nodes == b.mesh.fluid.nodes && a.ledger == b.ledger && a.nextId == b.nextId;
+           a.mesh.fluid.nodes == b.mesh.fluid.nodes && a.ledger == b.ledger && a.nextId == b.nextId && a.approach == b.approach;
 }
 
 TEST(DamBreakBits, sameInEveryRunAndOnAnyNumberOfThreads) {

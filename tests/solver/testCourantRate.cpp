@@ -79,4 +79,22 @@ TEST(CourantRate, slowDropsLimitNothing) {
     EXPECT_NEAR(courantRate<2>(state).largest, 5 / h, 1e-9);
 }
 
+// Two blocks with air between them: it closes at v/gap, and so does the triangle between their nodes. Wider than what may become a contact, or
+// opening, it does not count.
+TEST(CourantRate, ofSurfacesThatAreAboutToMeet) {
+    const auto rate = [](double gap, double v) {
+        const auto block = [&](double y, double speed) {
+            return " { type fluid; material water; velocity (0 " + std::to_string(speed) + "); " + rectangle(0, y, 1, y + 0.3) + " } ";
+        };
+        TestCase c = makeCase("meshSize 0.1; bodies ( lower" + block(0, 0.5 * v) + "upper" + block(0.3 + gap, -0.5 * v) + ");", water, "", {0, 0});
+        c.step(1e-4);
+        EXPECT_NEAR(courantRate<2>(c.state).compression, c.state.approach, 1e-9);
+        return c.state.approach;
+    };
+    EXPECT_NEAR(rate(0.05, 2), 2 / (0.05 - 2e-4), 1e-6);
+    EXPECT_NEAR(rate(0.1, 2), 2 / (0.1 - 2e-4), 1e-6);
+    EXPECT_EQ(rate(0.16, 2), 0);
+    EXPECT_EQ(rate(0.05, -2), 0);
+}
+
 }  // namespace

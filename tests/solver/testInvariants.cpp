@@ -77,6 +77,10 @@ TEST_F(Invariants, ThroughAWall) {
     EXPECT_EQ(complaint(), "");
     next_.nodes.x[drop] = {0.9, -0.01};
     EXPECT_NE(complaint().find("went through the wall 'tank'"), std::string::npos);
+    last_.nodes.x[last_.nodes.size() - 1] = {0.9, 0};  // from the wall itself
+    EXPECT_NE(complaint().find("went through the wall 'tank'"), std::string::npos);
+    last_.nodes.x[last_.nodes.size() - 1] = {0.9, -1e-5};  // it came round an end and creeps along the back
+    EXPECT_EQ(complaint(), "");
     last_.nodes.x[last_.nodes.size() - 1] = {0.9, -0.5};  // it was outside before
     EXPECT_EQ(complaint(), "");
     last_.nodes.x[last_.nodes.size() - 1] = {1.2, 0.01};  // around the end of the wall
