@@ -5,6 +5,7 @@
 
 #include "mesh/simplex.hpp"
 #include "momentum/boundaryConditions.hpp"
+#include "remesh/heirs.hpp"
 
 namespace pfem {
 
@@ -62,9 +63,7 @@ std::vector<double> massOf(const Problem<Dim>& problem, const State<Dim>& state)
 /// The contacts without nodes of solids.
 template <int Dim>
 std::vector<Simplex<Dim>> betweenFluids(const std::vector<Simplex<Dim>>& contacts, const State<Dim>& state) {
-    std::vector<unsigned char> ofSolid(state.nodes.size(), 0);
-    for (const auto& s : state.mesh.solid.nodes)
-        for (int i : s) ofSolid[i] = 1;
+    const auto ofSolid = wetNodes<Dim>(state.mesh.solid.nodes, state.nodes.size());
     std::vector<Simplex<Dim>> result;
     for (const auto& s : contacts)
         if (std::none_of(s.begin(), s.end(), [&](int i) { return ofSolid[i]; })) result.push_back(s);

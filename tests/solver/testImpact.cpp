@@ -112,6 +112,28 @@ TEST(Impact, cellsThatOpenStayAsTheyAre) {
     EXPECT_EQ(c.state.nodes.v, v);
 }
 
+// A cell with one node on a wall that it sticks to: the two free nodes take the whole impulse.
+TEST(Impact, whatSticksTakesNoImpulse) {
+    TestCase c = makeCase("meshSize 0.25; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.5) +
+                              " } ); walls ( floor { points ((0 0) (1 0)); } );",
+                          water, "floor { type noSlip; }");
+    auto& nodes = c.state.nodes;
+    std::vector<Simplex<2>> contacts;
+    int stuck = -1;
+    for (const auto& s : c.state.mesh.fluid.nodes) {
+        const auto onFloor = [&](int i) { return nodes.x[i][1] < 1e-9; };
+        if (std::count_if(s.begin(), s.end(), onFloor) != 1 || !contacts.empty()) continue;
+        stuck = *std::find_if(s.begin(), s.end(), onFloor);
+        if (nodes.wall[stuck] >= 0) contacts.push_back(s);
+    }
+    ASSERT_EQ(contacts.size(), 1u);
+    for (int i : contacts[0]) nodes.v[i] = nodes.x[stuck] - nodes.x[i];
+    EXPECT_LT(divergence(c, contacts[0]), -1);
+    strike<2>(c.problem, contacts, c.state);
+    EXPECT_NEAR(divergence(c, contacts[0]), 0, 1e-10);
+    EXPECT_EQ(nodes.v[stuck], (Vec<2>(0, 0)));
+}
+
 // Water in a corner of walls: the corner takes all, nodes that slide keep to their wall, those that stick take nothing.
 TEST(Impact, wallsHold) {
     for (const std::string kind : {"slip", "noSlip"}) {
