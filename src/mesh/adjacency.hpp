@@ -19,6 +19,15 @@ struct NodeToCells {
 template <int Dim>
 NodeToCells nodeToCells(const std::vector<Simplex<Dim>>& cells, int nNodes);
 
+/// Which of n nodes are in a cell.
+template <int Dim>
+std::vector<unsigned char> nodesIn(const std::vector<Simplex<Dim>>& cells, int n) {
+    std::vector<unsigned char> marks(n, 0);
+    for (const auto& cell : cells)
+        for (int node : cell) marks[node] = 1;
+    return marks;
+}
+
 /// Neighbours of the nodes over cell edges, sorted, without the node itself (compressed lists).
 struct NodeToNodes {
     std::vector<int> start;

@@ -6,6 +6,21 @@
 
 namespace pfem {
 
+namespace {
+
+/// sum_e rho_e |e|/(d+1) in positions x. `density`: of a material.
+template <int Dim, class Density>
+std::vector<double> nodalShares(const Cells<Dim>& cells, const Points<Dim>& x, Density density) {
+    std::vector<double> mass(x.size(), 0.0);
+    for (int e = 0; e < cells.size(); ++e) {
+        const double share = density(cells.material[e]) * simplexMeasure<Dim>(x, cells.nodes[e]) / (Dim + 1);
+        for (int node : cells.nodes[e]) mass[node] += share;
+    }
+    return mass;
+}
+
+}  // namespace
+
 template <int Dim>
 std::vector<double> fluidMass(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches) {
     const NodeToCells& around = *patches.around;
@@ -28,16 +43,16 @@ std::vector<double> fluidMass(const Problem<Dim>& problem, const Cells<Dim>& cel
 }
 
 template <int Dim>
-std::vector<double> solidMass(const Problem<Dim>& problem, const Cells<Dim>& cells, const Points<Dim>& X) {
-    std::vector<double> mass(X.size(), 0.0);
-    for (int e = 0; e < cells.size(); ++e) {
-        const double share =
-            problem.solid(cells.material[e]).rho * simplexMeasure<Dim>(X, cells.nodes[e]) / (Dim + 1);
-        for (int node : cells.nodes[e]) mass[node] += share;
-    }
-    return mass;
+std::vector<double> fluidMass(const Problem<Dim>& problem, const Cells<Dim>& cells, const Points<Dim>& x) {
+    return nodalShares<Dim>(cells, x, [&](int material) { return problem.fluid(material).rho; });
 }
 
+template <int Dim>
+std::vector<double> solidMass(const Problem<Dim>& problem, const Cells<Dim>& cells, const Points<Dim>& X) {
+    return nodalShares<Dim>(cells, X, [&](int material) { return problem.solid(material).rho; });
+}
+
+template std::vector<double> fluidMass<2>(const Problem<2>&, const Cells<2>&, const Points<2>&);
 template std::vector<double> fluidMass<2>(const Problem<2>&, const Cells<2>&, const Patches<2>&);
 template std::vector<double> solidMass<2>(const Problem<2>&, const Cells<2>&, const Points<2>&);
 

@@ -85,7 +85,7 @@ void bookRemeshing(const MovedMesh<Dim>& moved, const std::vector<int>& newIndex
                    const std::vector<double>& reshaped, State<Dim>& state) {
     const auto& x = state.nodes.x;
     if (state.appeared.empty()) return;
-    const auto wet = wetNodes<Dim>(state.mesh.fluid.nodes, state.nodes.size());
+    const auto wet = nodesIn<Dim>(state.mesh.fluid.nodes, state.nodes.size());
     const auto fluid = fluidNodes<Dim>(state, wet);
     const auto left = legacies<Dim>(moved, newIndex, wet, fluid);
     for (auto& [cause, amounts] : state.appeared) {

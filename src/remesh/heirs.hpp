@@ -5,15 +5,6 @@
 
 namespace pfem {
 
-/// Which of n nodes are in a cell.
-template <int Dim>
-std::vector<unsigned char> wetNodes(const std::vector<Simplex<Dim>>& fluid, int n) {
-    std::vector<unsigned char> wet(n, 0);
-    for (const auto& cell : fluid)
-        for (int node : cell) wet[node] = 1;
-    return wet;
-}
-
 /// The old neighbours of old node i that are still in the fluid; new indices. `newIndex`: of the old nodes, -1: gone.
 template <int Dim>
 std::vector<int> heirsOf(const MovedMesh<Dim>& moved, const std::vector<int>& newIndex, const std::vector<unsigned char>& wet,

@@ -104,7 +104,7 @@ void chargeMotion(const NodeToCells& around, const std::vector<Simplex<Dim>>& ce
 void chargeRemeshing(const MovedMesh<2>& moved, const NodePlan<2>& plan, const std::vector<int>& newIndex,
                      const Connectivity& selected, double change, State<2>& state) {
     std::vector<double>& lost = state.nodes.lostVolume;
-    const auto wet = wetNodes<2>(selected.fluid, state.nodes.size());
+    const auto wet = nodesIn<2>(selected.fluid, state.nodes.size());
     for (int node = 0; node < state.nodes.size(); ++node) lost[node] -= selected.gained[node];
     const double cuts = chargeCuts(moved, plan, newIndex, lost);
     const double rest = change - selected.contact + selected.stretched + selected.released - cuts;
@@ -117,7 +117,7 @@ std::vector<double> reshapedShares(const MovedMesh<2>& moved, const NodePlan<2>&
                                    const Connectivity& selected, double reshaped, int nNodes) {
     std::vector<double> shares(nNodes, 0.0);  // as lost
     const double cuts = chargeCuts(moved, plan, newIndex, shares);
-    const auto wet = wetNodes<2>(selected.fluid, nNodes);
+    const auto wet = nodesIn<2>(selected.fluid, nNodes);
     auto takers = lastingSurface(moved, newIndex, wet);
     if (takers.empty())  // no surface is left: all of the fluid
         for (int node = 0; node < nNodes; ++node)

@@ -155,7 +155,7 @@ std::vector<int> activeNodes(const State<2>& state, const std::vector<PatchKind>
 
 /// Nodes without triangles have no pressure.
 void clearDryPressure(State<2>& state) {
-    const auto wet = wetNodes<2>(state.mesh.fluid.nodes, state.nodes.size());
+    const auto wet = nodesIn<2>(state.mesh.fluid.nodes, state.nodes.size());
     for (int i = 0; i < state.nodes.size(); ++i)
         if (!wet[i]) state.nodes.p[i] = 0;
 }

@@ -1,11 +1,11 @@
 #include "solver/impact.hpp"
 
 #include <algorithm>
-#include <cmath>
 
+#include "mesh/adjacency.hpp"
 #include "mesh/simplex.hpp"
 #include "momentum/boundaryConditions.hpp"
-#include "remesh/heirs.hpp"
+#include "momentum/mass.hpp"
 
 namespace pfem {
 
@@ -14,56 +14,22 @@ namespace {
 constexpr int mostTurns = 20;
 constexpr double enough = 0.01;  // of the fastest closing
 
-/// How patches and walls hold the nodes. What is on a no-slip wall takes no impulse, the contact line, which may creep, included.
+/// How patches and walls hold the nodes now. The contact line of a no-slip wall, which may creep, takes no impulse either.
 template <int Dim>
-NodeConstraints<Dim> holdOf(const std::vector<PatchKind>& kinds, const State<Dim>& state) {
-    const auto& nodes = state.nodes;
-    NodeConstraints<Dim> c;
-    c.hold.assign(nodes.size(), Hold::free);
-    c.normal.assign(nodes.size(), Vec<Dim>::Zero());
-    const auto slide = [&](int i, const Vec<Dim>& area) {
-        c.hold[i] = Hold::slide;
-        c.normal[i] = area.normalized();
-    };
-    std::vector<std::pair<PatchKind, Face<Dim>>> faces;
-    for (std::size_t k = 0; k < kinds.size(); ++k)
-        for (const auto& face : state.mesh.patches[k].faces) {
-            faces.emplace_back(kinds[k], face);
-            for (int i : face) {
-                if (kinds[k] != PatchKind::symmetry) continue;
-                const Vec<Dim> n = faceArea<Dim>(nodes.X, face).normalized();
-                if (c.hold[i] == Hold::free) slide(i, n);
-                else if (c.normal[i].dot(n) < std::cos(20 * M_PI / 180)) c.hold[i] = Hold::fixed;  // two planes
-            }
-        }
-    for (int i = 0; i < nodes.size(); ++i) {
-        if (nodes.wall[i] < 0) continue;
-        const auto& [kind, face] = faces[nodes.wall[i]];
-        slide(i, faceArea<Dim>(nodes.x, face));
-        if (kind == PatchKind::noSlipWall) c.hold[i] = Hold::fixed;
-    }
-    for (const auto& [kind, face] : faces)
-        for (int i : face)
-            if (isWall(kind)) c.hold[i] = Hold::fixed;
+NodeConstraints<Dim> holdOf(const Problem<Dim>& problem, const State<Dim>& state) {
+    const auto topology = makeTopology<Dim>(state.mesh, problem.conditions.kind, state.nodes.wall);
+    const double now = state.time.value;
+    auto c = nodeConstraints<Dim>(state.mesh, problem.conditions, topology, state.nodes, now, now);
+    for (int i = 0; i < state.nodes.size(); ++i)
+        if (topology.onWall[i] && problem.conditions.kind[topology.walls[state.nodes.wall[i]].patch] == PatchKind::noSlipWall)
+            c.hold[i] = Hold::fixed;
     return c;
-}
-
-/// Of the fluid around the nodes.
-template <int Dim>
-std::vector<double> massOf(const Problem<Dim>& problem, const State<Dim>& state) {
-    std::vector<double> mass(state.nodes.size(), 0.0);
-    const auto& fluid = state.mesh.fluid;
-    for (int e = 0; e < fluid.size(); ++e) {
-        const double share = problem.fluid(fluid.material[e]).rho * simplexMeasure<Dim>(state.nodes.x, fluid.nodes[e]) / (Dim + 1);
-        for (int node : fluid.nodes[e]) mass[node] += share;
-    }
-    return mass;
 }
 
 /// The contacts without nodes of solids.
 template <int Dim>
 std::vector<Simplex<Dim>> betweenFluids(const std::vector<Simplex<Dim>>& contacts, const State<Dim>& state) {
-    const auto ofSolid = wetNodes<Dim>(state.mesh.solid.nodes, state.nodes.size());
+    const auto ofSolid = nodesIn<Dim>(state.mesh.solid.nodes, state.nodes.size());
     std::vector<Simplex<Dim>> result;
     for (const auto& s : contacts)
         if (std::none_of(s.begin(), s.end(), [&](int i) { return ofSolid[i]; })) result.push_back(s);
@@ -79,8 +45,8 @@ void strike(const Problem<Dim>& problem, const std::vector<Simplex<Dim>>& contac
     double fastest = 0;
     for (const auto& s : struck) fastest = std::max(fastest, -simplexDivergence<Dim>(state.nodes.x, v, s));
     if (fastest == 0) return;
-    const auto constraints = holdOf<Dim>(problem.conditions.kind, state);
-    const auto mass = massOf<Dim>(problem, state);
+    const auto constraints = holdOf<Dim>(problem, state);
+    const auto mass = fluidMass<Dim>(problem, state.mesh.fluid, state.nodes.x);
     bool closing = true;
     for (int turn = 0; closing && turn < mostTurns; ++turn) {
         closing = false;
