@@ -51,7 +51,7 @@ struct Step {
     SymmetricMatrix noMatrix = symmetricPattern({});
 
     ContinuitySystem<2> system() const {
-        return {c.problem, c.controls.continuity, cells, topology, constraints, fluid, tau, nodes.x, noSolid, noMatrix, Newmark{dt}};
+        return {c.problem, c.controls.continuity, cells, topology, constraints, fluid, mu, tau, nodes.x, noSolid, noMatrix, Newmark{dt}};
     }
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/parallel.hpp"
+#include "continuity/stabilisation.hpp"
 
 namespace pfem {
 
@@ -157,16 +158,17 @@ void addSolid(SymmetricMatrix& A, const ContinuityControls& controls, const Unkn
 template <int Dim>
 void addFreeSurface(SymmetricMatrix& A, const Problem<Dim>& problem, const ContinuityControls& controls,
                     const Cells<Dim>& cells, const Topology<Dim>& topology, const Patches<Dim>& patches,
-                    const std::vector<double>& tau, const Points<Dim>& x, const Unknowns& u,
+                    const std::vector<double>& mu, const std::vector<double>& tau, const Points<Dim>& x, const Unknowns& u,
                     const Newmark& newmark) {
     for (const auto& face : topology.faces) {
         if (face.kind != FaceKind::freeSurface) continue;
         const double measure = faceArea<Dim>(x, face.nodes).norm();
-        const double twoOverH = 2 * measure / (Dim * patches.element[face.cell].measure);
+        const double cell = patches.element[face.cell].measure, twoOverH = 2 * measure / (Dim * cell);
+        const double tauN = surfaceStabilisation<Dim>(tau[face.cell], mu[face.cell], cell, measure);
         for (int node : face.nodes)
             if (u.pressure[node] >= 0)
                 A.value[A.start[u.pressure[node]]] +=
-                    controls.freeSurfaceWeight * tau[face.cell] * twoOverH * measure / Dim;
+                    controls.freeSurfaceWeight * tauN * twoOverH * measure / Dim;
     }
     const double scale = 1 / std::max(controls.freeSurfaceScale, 1e-12);
     for (int i = 0; i < topology.nNodes(); ++i) {
@@ -220,7 +222,7 @@ template <int Dim>
 ContinuitySystem<Dim>::ContinuitySystem(const Problem<Dim>& problem, const ContinuityControls& controls,
                                         const Cells<Dim>& cells, const Topology<Dim>& topology,
                                         const NodeConstraints<Dim>& constraints, const Patches<Dim>& patches,
-                                        const std::vector<double>& tau, const Points<Dim>& x,
+                                        const std::vector<double>& mu, const std::vector<double>& tau, const Points<Dim>& x,
                                         const SolidDofs<Dim>& dofs, const SymmetricMatrix& solid,
                                         const Newmark& newmark) {
     const bool strong = controls.freeSurfacePressure == "strong";
@@ -236,7 +238,7 @@ ContinuitySystem<Dim>::ContinuitySystem(const Problem<Dim>& problem, const Conti
     A.value.resize(A.start[u.n]);
     addCells<Dim>(A, problem, controls, cells, topology, patches, tau, u, dofs, constraints, newmark);
     addSolid(A, controls, u, solid);
-    if (!strong) addFreeSurface<Dim>(A, problem, controls, cells, topology, patches, tau, x, u, newmark);
+    if (!strong) addFreeSurface<Dim>(A, problem, controls, cells, topology, patches, mu, tau, x, u, newmark);
 
     const int parts = nParts(u.n);
     const auto place = placesOfUnknowns<Dim>(x, u, dofs);

@@ -13,10 +13,10 @@ namespace pfem {
 
 /// One sparse L D L^T per step of the quasi-definite matrix, in (dp, dv_boundary),
 ///
-///     [ K_p   B    ]    K_p = Omega/(kappa dt) + (tau + s/(rho m)) L + w tau M_G
+///     [ K_p   B    ]    K_p = Omega/(kappa dt) + (tau + s/(rho m)) L + w tau_n M_G
 ///     [ B^T  -A/c  ]    B_IJ = Omega_I G_IJ between pressures and boundary velocities
 ///
-/// with m = da/dv of the time integration, s = schurScale, w = freeSurfaceWeight, and c = complianceScale at solids,
+/// with mu and tau per cell, m = da/dv of the time integration, s = schurScale, w = freeSurfaceWeight, and c = complianceScale at solids,
 /// freeSurfaceScale at the surface. Inside the fluid 1/(rho m) L bounds the exact Schur complement
 /// B (m M)^{-1} B^T of the nodal integration from above, whatever the mesh; on its moving boundary it does not.
 /// There the velocities are unknowns of the matrix: A is the momentum matrix of the solids at elastic interfaces
@@ -28,7 +28,7 @@ class ContinuitySystem {
 public:
     ContinuitySystem(const Problem<Dim>& problem, const ContinuityControls& controls, const Cells<Dim>& cells,
                      const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,
-                     const Patches<Dim>& patches, const std::vector<double>& tau, const Points<Dim>& x,
+                     const Patches<Dim>& patches, const std::vector<double>& mu, const std::vector<double>& tau, const Points<Dim>& x,
                      const SolidDofs<Dim>& solidDofs, const SymmetricMatrix& solidMatrix, const Newmark& newmark);
 
     /// dp of all nodes for the right-hand side -R_c; zero outside the fluid.

@@ -1,6 +1,7 @@
 #include "continuity/residual.hpp"
 
 #include "base/parallel.hpp"
+#include "continuity/stabilisation.hpp"
 
 namespace pfem {
 
@@ -94,7 +95,6 @@ std::vector<double> continuityResidual(const Problem<Dim>& problem, const Contin
         const double measure = area.norm();
         if (measure == 0) continue;
         const Vec<Dim> n = area / measure;
-        const double weight = tau[face.cell] * measure / Dim;
         if (!inertia)
             for (int node : face.nodes)
                 R[node] += tauFaces * measure / Dim * fluid.rho * trial.a[node].dot(n);
@@ -104,6 +104,7 @@ std::vector<double> continuityResidual(const Problem<Dim>& problem, const Contin
         Vec<Dim> dn = Vec<Dim>::Zero();  // L n of the cell
         for (int k = 0; k <= Dim; ++k) dn += trial.v[cells.nodes[face.cell][k]] * g.gradN[k].dot(n);
         const double viscous = 2 * mu[face.cell] * dn.dot(n);
+        const double weight = surfaceStabilisation<Dim>(tau[face.cell], mu[face.cell], g.measure, measure) * measure / Dim;
         for (int node : face.nodes) R[node] += weight * twoOverH * (trial.p[node] - viscous);
     }
     return R;

@@ -11,7 +11,8 @@ namespace pfem {
 /// trapezoidal rule the volume answers late: with half of it per step small surface waves grow without bounds.
 double volumeReturnRate(const ContinuityControls& controls, double dt);
 
-/// R_I = Omega_I/(kappa dt) (p_I - p_I^n) + Omega_I (div_I - divTarget) + tau [(L + M_G) p - f]_I  [m2/s].
+/// R_I = Omega_I/(kappa dt) (p_I - p_I^n) + Omega_I (div_I - divTarget) + tau [(L + M_G) p - f]_I  [m2/s],
+/// with tau_n (stabilisation.hpp) in place of tau on faces of the free surface.
 ///   L:   |e| grad N_I . grad p per cell,       f: |e| grad N_I . rho g per cell
 ///   free-surface faces: M_G = (2/h_n) |face|/d,  f -= |face|/d (rho a_n - (2/h_n) 2 mu d_n)
 ///   interface faces:                             f -= |face|/d rho a_n

@@ -115,11 +115,11 @@ double pressureScale(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const N
 }
 
 /// Factor of mu div v in the change of pressure. A patch at the free surface, whose sides give way, resists its swelling by mu/3 only
-/// (plane strain); beside a plug that does not move, more would overshoot.
+/// (plane strain): more would overshoot.
 template <int Dim>
-std::vector<double> viscousPressureScale(double scale, bool yields, const Topology<Dim>& topology) {
+std::vector<double> viscousPressureScale(double scale, const Topology<Dim>& topology) {
     std::vector<double> result(topology.nNodes(), scale);
-    for (int i = 0; yields && i < topology.nNodes(); ++i)
+    for (int i = 0; i < topology.nNodes(); ++i)
         if (topology.freeSurface[i]) result[i] *= 1.0 / 3;
     return result;
 }
@@ -154,7 +154,7 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
                                  std::move(dofs), std::move(solidA), newmark);
     auto cellMu = fromPoints<Dim>(fluid, viscosity.mu);
     const auto tau = stabilisation<Dim>(problem, mesh.fluid, fluid, cellMu, old.v, dt);
-    ContinuitySystem<Dim> continuity(problem, controls.continuity, mesh.fluid, topology, constraints, fluid, tau,
+    ContinuitySystem<Dim> continuity(problem, controls.continuity, mesh.fluid, topology, constraints, fluid, cellMu, tau,
                                            old.x, momentum.solidDofs(), momentum.solidMatrix(), newmark);
 
     Convergence convergence(controls.convergence, problem.gravity.norm() * dt,
@@ -165,7 +165,7 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
     SolidStress<Dim> stressOfSolid;
     Points<Dim> viscous;
     const bool yields = !isNewtonian<Dim>(problem);
-    const auto viscousScale = viscousPressureScale<Dim>(controls.continuity.viscousScale, yields, topology);
+    const auto viscousScale = viscousPressureScale<Dim>(controls.continuity.viscousScale, topology);
     NewtonDamping<Dim> damping;
     Anderson pressureIteration(controls.convergence.accelerationDepth);
     moveNodes<Dim>(newmark, constraints, topology, problem.gravity, old, trial);
@@ -209,7 +209,7 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
         if (report.iterations > 0 && report.iterations % controls.convergence.refactorEvery == 0) {
             pressureIteration.restart();
             continuity = ContinuitySystem<Dim>(problem, controls.continuity, mesh.fluid, topology, constraints, fluid,
-                                               tau, trial.x, momentum.solidDofs(), momentum.solidMatrix(), newmark);
+                                               cellMu, tau, trial.x, momentum.solidDofs(), momentum.solidMatrix(), newmark);
         }
         if (report.iterations == waiting) pressureIteration.restart();
         dp = continuity.solve(R_c);

@@ -30,8 +30,8 @@ struct Coupled {
     Newmark newmark{2e-3};
     Patches<2> fluid = makePatches<2>(c.state.mesh.fluid.nodes, topology.fluid, x);
     Patches<2> solid = makePatches<2>(c.state.mesh.solid.nodes, topology.solid, x);
-    std::vector<double> tau = stabilisation<2>(c.problem, c.state.mesh.fluid, fluid, std::vector<double>(c.state.mesh.fluid.size(), 3.0),
-                                                c.state.nodes.v, newmark.dt);
+    std::vector<double> mu = std::vector<double>(c.state.mesh.fluid.size(), 3.0);
+    std::vector<double> tau = stabilisation<2>(c.problem, c.state.mesh.fluid, fluid, mu, c.state.nodes.v, newmark.dt);
     int n = c.state.nodes.size();
     SolidDofs<2> dofs = solidDofs<2>(topology.solid, constraints);
     SymmetricMatrix A = solidMatrix();
@@ -43,7 +43,7 @@ struct Coupled {
         return pfem::solidMatrix<2>(c.problem, {}, c.state.mesh.solid, solid, dofs, mass, c.state.nodes.h, newmark);
     }
     ContinuitySystem<2> system(const ContinuityControls& controls) const {
-        return {c.problem, controls, c.state.mesh.fluid, topology, constraints, fluid, tau, x, dofs, A, newmark};
+        return {c.problem, controls, c.state.mesh.fluid, topology, constraints, fluid, mu, tau, x, dofs, A, newmark};
     }
     /// R_c of pressure p and velocities v without gravity.
     std::vector<double> residual(const std::vector<double>& stabilisationTime, const std::vector<double>& p,
@@ -53,8 +53,7 @@ struct Coupled {
         Nodes<2> trial = c.state.nodes;
         trial.p = p;
         trial.v = v;
-        return continuityResidual<2>(problem, {}, c.state.mesh.fluid, topology, fluid,
-                                     std::vector<double>(c.state.mesh.fluid.size(), 0.0), stabilisationTime, trial,
+        return continuityResidual<2>(problem, {}, c.state.mesh.fluid, topology, fluid, mu, stabilisationTime, trial,
                                      c.state.nodes, newmark.dt, 0);
     }
     Points<2> still() const { return Points<2>(n, Vec<2>::Zero()); }
@@ -84,7 +83,7 @@ TEST(ContinuitySystem, schurTermIsALargerStabilisation) {
     controls.freeSurfaceWeight = 3;
     auto R = randomNumbers(s.n, 1);
     const auto dp = s.system(controls).solve(R);
-    // tau L + s/(rho m) L, surface 3 tau M_G: from residuals with other taus
+    // tau L + s/(rho m) L, surface 3 tau_n M_G: from residuals with other taus
     std::vector<double> more = s.tau;
     for (double& t : more) t += 1.5 * s.newmark.dt / (2 * 1000);
     const auto volume = s.residual(more, dp, s.still());
@@ -92,9 +91,10 @@ TEST(ContinuitySystem, schurTermIsALargerStabilisation) {
     for (const auto& face : s.topology.faces) {
         if (face.kind != FaceKind::freeSurface) continue;
         const double length = (s.x[face.nodes[1]] - s.x[face.nodes[0]]).norm();
-        const double height = 2 * s.fluid.element[face.cell].measure / length;
+        const double cell = s.fluid.element[face.cell].measure, height = 2 * cell / length;
+        const auto tauN = [&](double tau) { return surfaceStabilisation<2>(tau, s.mu[face.cell], cell, length); };
         for (int node : face.nodes)
-            surface[node] += (3 * s.tau[face.cell] - more[face.cell]) * length / height * dp[node];
+            surface[node] += (3 * tauN(s.tau[face.cell]) - tauN(more[face.cell])) * length / height * dp[node];
     }
     for (int i = 0; i < s.n; ++i)
         if (s.topology.wet(i)) {
