@@ -35,7 +35,7 @@ std::vector<double> stabilisation(const Problem<Dim>& problem, const Cells<Dim>&
 template <int Dim>
 double surfaceStabilisation(double tau, double mu, double cellMeasure, double faceMeasure) {
     const double h = cellSize<Dim>(std::abs(cellMeasure)), height = Dim * cellMeasure / faceMeasure;
-    return 1 / (1 / tau + mu * std::max(0.0, 8 * (Dim + 1) / (height * height) - 8 / (h * h)));
+    return 1 / (1 / tau + mu * std::max(0.0, 4 * (Dim + 1) / (height * height) - 8 / (h * h)));
 }
 
 template double surfaceStabilisation<2>(double, double, double, double);

@@ -14,9 +14,9 @@ std::vector<double> stabilisation(const Problem<Dim>& problem, const Cells<Dim>&
                                   double dt);
 
 /// tau_n of the terms on a face of the free surface, from tau and mu of its cell: with the height h_n of the cell over the face,
-///     1/tau_n = 1/tau + mu (8 (d+1)/h_n^2 - 8/h^2)_+.
-/// So the viscous stress 2 mu d_n in these terms, at most half of the nodes' divergence |e|/(d+1) d_n whatever the cell's shape,
-/// can never outweigh it; with tau it could in flat cells of thick fluids, where no pressure solved the equation then.
+///     1/tau_n = 1/tau + mu (4 (d+1)/h_n^2 - 8/h^2)_+.
+/// So the viscous stress 2 mu d_n in these terms cannot outweigh what the cell gives to the divergence of the face's nodes,
+/// |e|/(d+1) d_n, whatever its shape; with tau it does in flat cells of thick fluids, and no pressure solves the equation there.
 template <int Dim>
 double surfaceStabilisation(double tau, double mu, double cellMeasure, double faceMeasure);
 
