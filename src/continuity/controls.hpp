@@ -25,7 +25,7 @@ struct ContinuityControls {
     void entries(Visitor& v) {
         v("schurScale", schurScale, "-", "factor of the Schur term gamma dt/rho L in the pressure matrix", nonNegative);
         v("viscousScale", viscousScale, "-",
-          "factor of mu div v in the change of pressure, where viscosity is in the momentum matrix (viscousLimit)", nonNegative);
+          "factor of mu div v in the change of pressure, where viscosity is in the momentum matrix (viscousLimit); a third of it at the free surface", nonNegative);
         v("complianceScale", complianceScale, "-",
           "factor of the elastic interface's compliance B A_s^-1 B^T in the pressure matrix", nonNegative);
         v("freeSurfaceScale", freeSurfaceScale, "-",
