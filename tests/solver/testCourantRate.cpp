@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support/cases.hpp"
 
 using namespace pfem;
@@ -80,7 +82,8 @@ TEST(CourantRate, slowDropsLimitNothing) {
 }
 
 // Two blocks with air between them: it closes at v/gap, and so does the triangle between their nodes. Wider than what may become a contact, or
-// opening, it does not count.
+// opening, it does not count. Those that have just met (0.02) count as if they were contactHeight h high, 0.03, over
+// the longest side of the triangle between them, though the impact has stopped them.
 TEST(CourantRate, ofSurfacesThatAreAboutToMeet) {
     const auto rate = [](double gap, double v) {
         const auto block = [&](double y, double speed) {
@@ -93,6 +96,7 @@ TEST(CourantRate, ofSurfacesThatAreAboutToMeet) {
     };
     EXPECT_NEAR(rate(0.05, 2), 2 / (0.05 - 2e-4), 1e-6);
     EXPECT_NEAR(rate(0.1, 2), 2 / (0.1 - 2e-4), 1e-6);
+    EXPECT_NEAR(rate(0.02, 2), 2 / 0.03 * h / std::hypot(h, 0.02 - 2e-4), 1e-6);
     EXPECT_EQ(rate(0.16, 2), 0);
     EXPECT_EQ(rate(0.05, -2), 0);
 }
