@@ -31,16 +31,6 @@ AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Sta
     return advance<Dim>(problem, controls, triangulator, state, dt);
 }
 
-/// Rates which times dt are Courant numbers [1/s].
-struct CourantRate {
-    double largest = 0, mean = 0;  // |v|/h of all nodes; particles in free flight count: they are the first to hit
-                                   // something; those that have left the box of walls, solids and fluid, by their distance
-    double relative = 0;           // largest |v_I - v_J|/h of neighbours in the fluid: how fast triangles change
-    double compression = 0;        // largest -div v of a fluid triangle, and between surfaces that are about to meet or have just met
-};
-template <int Dim>
-CourantRate courantRate(const State<Dim>& state);
-
 /// p and a at the very start of a run that agree with the forces, and v that is free of divergence. Throws FailedStep
 /// where they cannot be found.
 template <int Dim>

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/advance.hpp"
+#include "solver/courantRate.hpp"
 
 namespace pfem {
 

@@ -18,6 +18,7 @@
 #include "reference/keywords.hpp"
 #include "robustness/child.hpp"
 #include "robustness/mutations.hpp"
+#include "solver/courantRate.hpp"
 #include "solver/recorder.hpp"
 #include "solver/setup.hpp"
 

@@ -11,6 +11,7 @@
 #include "mesher/mesher.hpp"
 #include "mesher/readMeshDict.hpp"
 #include "solver/advance.hpp"
+#include "solver/courantRate.hpp"
 
 namespace pfem::test {
 
