@@ -7,15 +7,6 @@
 
 namespace pfem {
 
-namespace {
-
-template <int Dim>
-double cellSize(double measure) {
-    return Dim == 2 ? std::sqrt(2 * measure) : std::cbrt(6 * measure);
-}
-
-}  // namespace
-
 template <int Dim>
 std::vector<double> stabilisation(const Problem<Dim>& problem, const Cells<Dim>& cells,
                                   const Patches<Dim>& patches, const std::vector<double>& mu, const Points<Dim>& v,
@@ -24,7 +15,7 @@ std::vector<double> stabilisation(const Problem<Dim>& problem, const Cells<Dim>&
 #pragma omp parallel for schedule(static) if (cells.size() > shortLoop)
     for (int e = 0; e < cells.size(); ++e) {
         const ViscousFluid& fluid = problem.fluid(cells.material[e]);
-        const double h = cellSize<Dim>(patches.element[e].measure);
+        const double h = Dim == 2 ? std::sqrt(2 * patches.element[e].measure) : std::cbrt(6 * patches.element[e].measure);
         Vec<Dim> mean = Vec<Dim>::Zero();
         for (int node : cells.nodes[e]) mean += v[node] / (Dim + 1);
         tau[e] = 1 / (8 * mu[e] / (h * h) + fluid.rho / dt + fluid.rho * mean.norm() / h);
@@ -34,8 +25,8 @@ std::vector<double> stabilisation(const Problem<Dim>& problem, const Cells<Dim>&
 
 template <int Dim>
 double surfaceStabilisation(double tau, double mu, double cellMeasure, double faceMeasure) {
-    const double h = cellSize<Dim>(std::abs(cellMeasure)), height = Dim * cellMeasure / faceMeasure;
-    return 1 / (1 / tau + mu * std::max(0.0, 4 * (Dim + 1) / (height * height) - 8 / (h * h)));
+    const double height = Dim * cellMeasure / faceMeasure;
+    return 1 / std::max(1 / tau, 4 * (Dim + 1) * mu / (height * height));
 }
 
 template double surfaceStabilisation<2>(double, double, double, double);

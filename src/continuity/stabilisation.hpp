@@ -13,10 +13,12 @@ std::vector<double> stabilisation(const Problem<Dim>& problem, const Cells<Dim>&
                                   const Patches<Dim>& patches, const std::vector<double>& mu, const Points<Dim>& v,
                                   double dt);
 
-/// tau_n of the terms on a face of the free surface, from tau and mu of its cell: with the height h_n of the cell over the face,
-///     1/tau_n = 1/tau + mu (4 (d+1)/h_n^2 - 8/h^2)_+.
-/// So the viscous stress 2 mu d_n in these terms cannot outweigh what the cell gives to the divergence of the face's nodes,
-/// |e|/(d+1) d_n, whatever its shape; with tau it does in flat cells of thick fluids, and no pressure solves the equation there.
+/// tau_n of the terms on a face of the free surface, from tau and the present viscosity of its cell, with the present height h_n of
+/// the cell over the face:
+///     1/tau_n = max(1/tau, 4 (d+1) mu/h_n^2).
+/// So the viscous stress 2 mu d_n in these terms takes from the face's nodes at most what its cell gives them by d_n to the divergence,
+/// |e|/(d+1) d_n. With tau it is more wherever viscosity rules and h_n < 1.2 h, in flat cells so much that no pressure solves the
+/// equation.
 template <int Dim>
 double surfaceStabilisation(double tau, double mu, double cellMeasure, double faceMeasure);
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 
-#include "base/parallel.hpp"
 #include "continuity/residual.hpp"
 #include "mesh/standing.hpp"
 #include "remesh/giveWay.hpp"

@@ -43,8 +43,8 @@ struct Fluid {
     }
 };
 
-/// tau of a surface's face of length l with a cell of height h over it.
-double tauN(double tau, double mu, double h, double l) { return 1 / (1 / tau + mu * std::max(0.0, 12 / (h * h) - 8 / (h * l))); }
+/// tau of a surface's face with a cell of height h over it.
+double tauN(double tau, double mu, double h) { return std::min(tau, h * h / (12 * mu)); }
 
 TEST(ContinuityResidual, derivativeWithRespectToPressure) {
     Fluid f(irregularPair());
@@ -72,7 +72,7 @@ TEST(ContinuityResidual, derivativeWithRespectToPressure) {
         if (face.kind != FaceKind::freeSurface) continue;
         const double length = (trial.x[face.nodes[1]] - trial.x[face.nodes[0]]).norm();
         const double height = 2 * f.patches.element[face.cell].measure / length;
-        for (int node : face.nodes) surface[node] += tauN(f.tau[face.cell], 3, height, length) * 2 / height * length / 2 * q[node];
+        for (int node : face.nodes) surface[node] += tauN(f.tau[face.cell], 3, height) * 2 / height * length / 2 * q[node];
     }
     double part = 0;
     for (int i = 0; i < f.n; ++i) {
@@ -174,7 +174,8 @@ TEST(ContinuityResidual, freeSurfaceStates) {
     }
 }
 
-// However flat the cells of a thick fluid are, where it swells the residual is a swelling.
+// However flat the cells of a thick fluid are, where it swells across its surface the residual is a swelling, or nothing in cells that are
+// alone around a node.
 TEST(ContinuityResidual, theSurfaceDoesNotOutweighTheDivergence) {
     TestCase film = makeCase("meshSize 0.1; bodies ( water { type fluid; material syrup; " + rectangle(0, 0, 1, 0.1) + " } );",
                              "syrup { type newtonian; rho 1000; mu 3000; }", "", Vec<2>::Zero());
@@ -183,7 +184,7 @@ TEST(ContinuityResidual, theSurfaceDoesNotOutweighTheDivergence) {
     Nodes<2> trial = f.c.state.nodes;
     for (int i = 0; i < f.n; ++i) trial.v[i] = Vec<2>(0, trial.x[i][1]);
     const auto R = f.residual(trial, trial);
-    for (int i = 0; i < f.n; ++i) EXPECT_GT(R[i], 0) << i;
+    for (int i = 0; i < f.n; ++i) EXPECT_GT(R[i], -1e-12 * f.patches.volume[i]) << i;
 }
 
 TEST(Stabilisation, formula) {
@@ -196,7 +197,7 @@ TEST(Stabilisation, formula) {
         EXPECT_NEAR(1 / f.tau[e], 8 * 3 / h2 + 1000 / dt, 1e-6);  // at rest not switched off
     }
     for (const double height : {0.01, 0.1, 1.0})
-        EXPECT_NEAR(surfaceStabilisation<2>(2e-4, 3, 0.1 * height / 2, 0.1), tauN(2e-4, 3, height, 0.1), 1e-18) << height;
+        EXPECT_NEAR(surfaceStabilisation<2>(2e-4, 3, 0.1 * height / 2, 0.1), tauN(2e-4, 3, height), 1e-18) << height;
 }
 
 }  // namespace
