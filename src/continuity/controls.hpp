@@ -30,7 +30,7 @@ struct ContinuityControls {
           "factor of the elastic interface's compliance B A_s^-1 B^T in the pressure matrix", nonNegative);
         v("freeSurfaceScale", freeSurfaceScale, "-",
           "factor of the free surface's compliance B m^-1 B^T in the pressure matrix", nonNegative);
-        v("freeSurfaceWeight", freeSurfaceWeight, "-", "factor of tau M_G in the pressure matrix", positive);
+        v("freeSurfaceWeight", freeSurfaceWeight, "-", "factor of tau_n M_G in the pressure matrix", positive);
         v("freeSurfacePressure", freeSurfacePressure, "-", "how p = 0 is imposed at the free surface",
           oneOf({"weak", "strong"}));
         v("factorPrecision", factorPrecision, "-",

@@ -12,7 +12,7 @@ namespace pfem {
 double volumeReturnRate(const ContinuityControls& controls, double dt);
 
 /// R_I = Omega_I/(kappa dt) (p_I - p_I^n) + Omega_I (div_I - divTarget) + tau [(L + M_G) p - f]_I  [m2/s],
-/// with tau_n (stabilisation.hpp) in place of tau on faces of the free surface.
+/// with tau_n (stabilisation.hpp) in place of tau for M_G and 2 mu d_n.
 ///   L:   |e| grad N_I . grad p per cell,       f: |e| grad N_I . rho g per cell
 ///   free-surface faces: M_G = (2/h_n) |face|/d,  f -= |face|/d (rho a_n - (2/h_n) 2 mu d_n)
 ///   interface faces:                             f -= |face|/d rho a_n

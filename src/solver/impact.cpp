@@ -14,7 +14,7 @@ namespace {
 constexpr int mostTurns = 20;
 constexpr double enough = 0.01;  // of the fastest closing
 
-/// How patches and walls hold the nodes now. The contact line of a no-slip wall, which may creep, takes no impulse either.
+/// How patches and walls hold the nodes where they are. The contact line of a no-slip wall, which may creep, takes no impulse either.
 template <int Dim>
 NodeConstraints<Dim> holdOf(const Problem<Dim>& problem, const State<Dim>& state) {
     const auto topology = makeTopology<Dim>(state.mesh, problem.conditions.kind, state.nodes.wall);
