@@ -5,6 +5,7 @@
 
 #include "base/parallel.hpp"
 #include "continuity/stabilisation.hpp"
+#include "momentum/surfaceStiffness.hpp"
 
 namespace pfem {
 
@@ -116,6 +117,7 @@ void addCells(SymmetricMatrix& A, const Problem<Dim>& problem, const ContinuityC
               const std::vector<double>& tau, const Unknowns& u, const SolidDofs<Dim>& dofs,
               const NodeConstraints<Dim>& constraints, const Newmark& newmark) {
     const NodeToCells& around = topology.fluid;
+    const auto projected = projectedCells<Dim>(controls, cells, topology);
 #pragma omp parallel if (cells.size() > shortLoop)
     {
         PressureColumn<Dim> column;
@@ -128,7 +130,8 @@ void addCells(SymmetricMatrix& A, const Problem<Dim>& problem, const ContinuityC
                 const int e = around.cell[s], k = around.corner[s];
                 const ViscousFluid& fluid = problem.fluid(cells.material[e]);
                 const auto& g = patches.element[e];
-                const double laplacian = tau[e] + controls.schurScale / (fluid.rho * newmark.massFactor());
+                const double schur = newmark.dt / fluid.rho, unprojected = tau[e] + controls.schurScale * schur;
+                const double laplacian = projected[e] ? std::max(unprojected, schur) : unprojected;
                 const double share = g.measure / (Dim + 1);
                 for (int l = 0; l <= Dim; ++l) {
                     const int at = column.at[cells.nodes[e][l]];
@@ -143,9 +146,9 @@ void addCells(SymmetricMatrix& A, const Problem<Dim>& problem, const ContinuityC
 }
 
 /// -A/c of the solids.
-void addSolid(SymmetricMatrix& A, const ContinuityControls& controls, const Unknowns& u, const SymmetricMatrix& solid) {
+void addSolid(SymmetricMatrix& A, const ContinuityControls& controls, const Unknowns& u, const SymmetricMatrix& solid, const Newmark& newmark) {
     // without compliance the solid block stays, decoupled: divide by a tiny number instead of zero
-    const double scale = 1 / std::max(controls.complianceScale, 1e-12);
+    const double scale = newmark.gamma / std::max(controls.complianceScale, 1e-12);
     for (int j = 0; j < solid.n; ++j)
         for (int s = solid.start[j]; s < solid.start[j + 1]; ++s) {
             const int at = A.start[u.nPressure + j] + s - solid.start[j];
@@ -160,17 +163,19 @@ void addFreeSurface(SymmetricMatrix& A, const Problem<Dim>& problem, const Conti
                     const Cells<Dim>& cells, const Topology<Dim>& topology, const Patches<Dim>& patches,
                     const std::vector<double>& mu, const std::vector<double>& tau, const Points<Dim>& x, const Unknowns& u,
                     const Newmark& newmark) {
+    const auto projected = projectedCells<Dim>(controls, cells, topology);
     for (const auto& face : topology.faces) {
         if (face.kind != FaceKind::freeSurface) continue;
         const double measure = faceArea<Dim>(x, face.nodes).norm();
         const double cell = patches.element[face.cell].measure, twoOverH = 2 * measure / (Dim * cell);
         const double tauN = surfaceStabilisation<Dim>(tau[face.cell], mu[face.cell], cell, measure);
         for (int node : face.nodes)
-            if (u.pressure[node] >= 0)
+            if (u.pressure[node] >= 0 && !projected[face.cell])
                 A.value[A.start[u.pressure[node]]] +=
                     controls.freeSurfaceWeight * tauN * twoOverH * measure / Dim;
     }
-    const double scale = 1 / std::max(controls.freeSurfaceScale, 1e-12);
+    const double scale = newmark.gamma / std::max(controls.freeSurfaceScale, 1e-12);
+    const auto stiffness = surfaceStiffness<Dim>(problem, cells, topology, x, newmark);
     for (int i = 0; i < topology.nNodes(); ++i) {
         if (u.surface[i] < 0) continue;
         double mass = 0;
@@ -178,10 +183,11 @@ void addFreeSurface(SymmetricMatrix& A, const Problem<Dim>& problem, const Conti
             const int e = topology.fluid.cell[s];
             mass += problem.fluid(cells.material[e]).rho * patches.element[e].measure / (Dim + 1);
         }
+        const Vec<Dim> inertia = matrixInertia<Dim>(mass, stiffness[i], newmark);
         for (int c = 0; c < Dim; ++c) {
             const int at = A.start[u.surface[i] + c];
             A.row[at] = u.surface[i] + c;
-            A.value[at] = -scale * newmark.massFactor() * mass;
+            A.value[at] = -scale * inertia[c];
         }
     }
 }
@@ -237,7 +243,7 @@ ContinuitySystem<Dim>::ContinuitySystem(const Problem<Dim>& problem, const Conti
     A.row.resize(A.start[u.n]);
     A.value.resize(A.start[u.n]);
     addCells<Dim>(A, problem, controls, cells, topology, patches, tau, u, dofs, constraints, newmark);
-    addSolid(A, controls, u, solid);
+    addSolid(A, controls, u, solid, newmark);
     if (!strong) addFreeSurface<Dim>(A, problem, controls, cells, topology, patches, mu, tau, x, u, newmark);
 
     const int parts = nParts(u.n);

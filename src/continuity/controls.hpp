@@ -9,21 +9,21 @@ namespace pfem {
 
 /// Sub-dictionary `continuity`.
 struct ContinuityControls {
-    double schurScale = 0.3;
+    double schurScale = 0.15;
     double viscousScale = 1;
     double complianceScale = 1;
     double freeSurfaceScale = 2;
     double freeSurfaceWeight = 1;
     std::string freeSurfacePressure = "weak";
     std::string factorPrecision = "single";
-    std::string stabilisation = "inertia";
+    std::string stabilisation = "projection";
     bool interfaceAcceleration = true;
     double volumeReturnTime = 0.02;
     double volumeCorrectionTime = 0;
 
     template <class Visitor>
     void entries(Visitor& v) {
-        v("schurScale", schurScale, "-", "factor of the Schur term gamma dt/rho L in the pressure matrix", nonNegative);
+        v("schurScale", schurScale, "-", "factor of the Schur term dt/rho L in the pressure matrix", nonNegative);
         v("viscousScale", viscousScale, "-",
           "factor of mu div v in the change of pressure, where viscosity is in the momentum matrix (viscousLimit); a third of it at the free surface", nonNegative);
         v("complianceScale", complianceScale, "-",
@@ -37,9 +37,9 @@ struct ContinuityControls {
           "in which the factor of the pressure matrix is kept; single takes less time, the iteration corrects what it lacks",
           oneOf({"single", "double"}));
         v("stabilisation", stabilisation, "-",
-          "inertia: the full residual grad p - rho (g - dv/dt); bodyForce: grad p - rho g with accelerations on faces "
-          "(the paper; then schurScale 1, freeSurfaceScale 4 and complianceScale 3 converge best)",
-          oneOf({"inertia", "bodyForce"}));
+          "projection: grad p less its projection to the nodes, so that no wave near rest grows; inertia: the full residual "
+          "grad p - rho (g - dv/dt), with which short waves grow; bodyForce: grad p - rho g with accelerations on faces (the paper)",
+          oneOf({"projection", "inertia", "bodyForce"}));
         v("interfaceAcceleration", interfaceAcceleration, "-",
           "with bodyForce: moving solids and walls enter the stabilisation with their normal acceleration", any);
         v("volumeReturnTime", volumeReturnTime, "s",

@@ -19,7 +19,7 @@ struct CellTerms {
 template <int Dim>
 CellTerms<Dim> cellTerms(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
                          const std::vector<double>& tau, double tauFaces, const Nodes<Dim>& trial,
-                         const Nodes<Dim>& old, bool inertia, double dt, double divTarget) {
+                         const Nodes<Dim>& middle, const std::vector<unsigned char>& projected, double divTarget) {
     CellTerms<Dim> t;
     t.rate.resize(cells.nodes.size());
     t.compressibility.resize(cells.nodes.size());
@@ -27,22 +27,44 @@ CellTerms<Dim> cellTerms(const Problem<Dim>& problem, const Cells<Dim>& cells, c
 #pragma omp parallel for schedule(static) if (cells.size() > shortLoop)
     for (int e = 0; e < cells.size(); ++e) {
         const auto& g = patches.element[e];
-        double div = 0;
+        double growth = 0;  // |e| div v at the end of the step
         Vec<Dim> gradP = Vec<Dim>::Zero();
         Vec<Dim> a = Vec<Dim>::Zero();
         for (int k = 0; k <= Dim; ++k) {
             const int node = cells.nodes[e][k];
-            div += trial.v[node].dot(g.gradN[k]);
-            gradP += trial.p[node] * g.gradN[k];
-            a += (inertia ? Vec<Dim>((trial.v[node] - old.v[node]) / dt) : trial.a[node]) / (Dim + 1);
+            growth -= trial.v[node].dot(faceArea<Dim>(trial.x, oppositeFace<Dim>(cells.nodes[e], k))) / Dim;
+            gradP += middle.p[node] * g.gradN[k];
+            if (!projected[e]) a += middle.a[node] / (Dim + 1);
         }
         const ViscousFluid& fluid = problem.fluid(cells.material[e]);
         const double share = g.measure / (Dim + 1);
-        t.rate[e] = share * (div - divTarget);
+        t.rate[e] = growth / (Dim + 1) - share * divTarget;
         t.compressibility[e] = share / fluid.kappa;
         t.flux[e] = g.measure * (tau[e] * (gradP - fluid.rho * problem.gravity) + (tau[e] - tauFaces) * fluid.rho * a);
     }
     return t;
+}
+
+/// flux_e -= |e| tau_e times the mean over the cell's nodes of the tau-weighted mean of flux/(|e| tau) around each node.
+template <int Dim>
+void subtractProjection(const Patches<Dim>& patches, const NodeToCells& around, const std::vector<double>& tau, const std::vector<unsigned char>& projected, std::vector<Vec<Dim>>& flux) {
+    Points<Dim> mean(patches.nNodes(), Vec<Dim>::Zero());
+    forEach(patches.nNodes(), [&](int i) {
+        double weight = 0;
+        for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
+            const int e = around.cell[s];
+            if (!projected[e]) continue;
+            weight += tau[e] * patches.element[e].measure;
+            mean[i] += flux[e];
+        }
+        if (weight > 0) mean[i] /= weight;
+    });
+    forEach(patches.nCells(), [&](int e) {
+        if (!projected[e]) return;
+        Vec<Dim> m = Vec<Dim>::Zero();
+        for (int node : patches.cell(e)) m += mean[node] / (Dim + 1);
+        flux[e] -= tau[e] * patches.element[e].measure * m;
+    });
 }
 
 template <int Dim>
@@ -66,12 +88,15 @@ template <int Dim>
 std::vector<double> continuityResidual(const Problem<Dim>& problem, const ContinuityControls& controls,
                                        const Cells<Dim>& cells, const Topology<Dim>& topology,
                                        const Patches<Dim>& patches, const std::vector<double>& mu,
-                                       const std::vector<double>& tau, const Nodes<Dim>& trial, const Nodes<Dim>& old, double dt,
-                                       double divTarget) {
-    const bool inertia = controls.stabilisation == "inertia";
+                                       const std::vector<double>& tau, const Nodes<Dim>& trial, const Nodes<Dim>& middle,
+                                       const Nodes<Dim>& old, double dt, double divTarget) {
+    const bool inertia = controls.stabilisation != "bodyForce";
+    const bool projection = controls.stabilisation == "projection";
     const double tauFaces = inertia ? 0 : meanOverCells<Dim>(patches, tau);
-    const auto terms = cellTerms<Dim>(problem, cells, patches, tau, tauFaces, trial, old, inertia, dt, divTarget);
+    const auto projected = projectedCells<Dim>(controls, cells, topology);
+    auto terms = cellTerms<Dim>(problem, cells, patches, tau, tauFaces, trial, middle, projected, divTarget);
     const NodeToCells& around = topology.fluid;
+    if (projection) subtractProjection<Dim>(patches, around, tau, projected, terms.flux);
     const double returnRate = volumeReturnRate(controls, dt);
     std::vector<double> R(trial.size(), 0.0);
 #pragma omp parallel for schedule(static) if (cells.size() > shortLoop)
@@ -82,7 +107,7 @@ std::vector<double> continuityResidual(const Problem<Dim>& problem, const Contin
             compressibility += terms.compressibility[e];
             R[i] += terms.rate[e] + terms.flux[e].dot(patches.element[e].gradN[around.corner[s]]);
         }
-        R[i] += compressibility * (trial.p[i] - old.p[i]) / dt;
+        R[i] += compressibility * (middle.p[i] - old.p[i]) / dt;
         if (around.count(i) > 0) R[i] -= returnRate * old.lostVolume[i];
     }
 
@@ -91,21 +116,21 @@ std::vector<double> continuityResidual(const Problem<Dim>& problem, const Contin
         if (!free && (inertia || !controls.interfaceAcceleration)) continue;
         const ViscousFluid& fluid = problem.fluid(cells.material[face.cell]);
         const auto& g = patches.element[face.cell];
-        const Vec<Dim> area = faceArea<Dim>(trial.x, face.nodes);
+        const Vec<Dim> area = faceArea<Dim>(middle.x, face.nodes);
         const double measure = area.norm();
         if (measure == 0) continue;
         const Vec<Dim> n = area / measure;
         if (!inertia)
             for (int node : face.nodes)
-                R[node] += tauFaces * measure / Dim * fluid.rho * trial.a[node].dot(n);
-        if (!free) continue;
+                R[node] += tauFaces * measure / Dim * fluid.rho * middle.a[node].dot(n);
+        if (!free || projected[face.cell]) continue;
 
         const double twoOverH = 2 * measure / (Dim * g.measure);
         Vec<Dim> dn = Vec<Dim>::Zero();  // L n of the cell
-        for (int k = 0; k <= Dim; ++k) dn += trial.v[cells.nodes[face.cell][k]] * g.gradN[k].dot(n);
+        for (int k = 0; k <= Dim; ++k) dn += middle.v[cells.nodes[face.cell][k]] * g.gradN[k].dot(n);
         const double viscous = 2 * mu[face.cell] * dn.dot(n);
         const double weight = surfaceStabilisation<Dim>(tau[face.cell], mu[face.cell], g.measure, measure) * measure / Dim;
-        for (int node : face.nodes) R[node] += weight * twoOverH * (trial.p[node] - viscous);
+        for (int node : face.nodes) R[node] += weight * twoOverH * (middle.p[node] - viscous);
     }
     return R;
 }
@@ -113,6 +138,6 @@ std::vector<double> continuityResidual(const Problem<Dim>& problem, const Contin
 template std::vector<double> continuityResidual<2>(const Problem<2>&, const ContinuityControls&,
                                                    const Cells<2>&, const Topology<2>&, const Patches<2>&,
                                                    const std::vector<double>&, const std::vector<double>&,
-                                                   const Nodes<2>&, const Nodes<2>&, double, double);
+                                                   const Nodes<2>&, const Nodes<2>&, const Nodes<2>&, double, double);
 
 }  // namespace pfem

@@ -25,7 +25,7 @@ template <int Dim>
 std::vector<double> continuityResidual(const Problem<Dim>& problem, const ContinuityControls& controls,
                                        const Cells<Dim>& cells, const Topology<Dim>& topology,
                                        const Patches<Dim>& patches, const std::vector<double>& mu,
-                                       const std::vector<double>& tau, const Nodes<Dim>& trial, const Nodes<Dim>& old, double dt,
+                                       const std::vector<double>& tau, const Nodes<Dim>& trial, const Nodes<Dim>& middle, const Nodes<Dim>& old, double dt,
                                        double divTarget);
 
 }  // namespace pfem

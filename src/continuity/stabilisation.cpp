@@ -29,6 +29,29 @@ double surfaceStabilisation(double tau, double mu, double cellMeasure, double fa
     return 1 / std::max(1 / tau, 4 * (Dim + 1) * mu / (height * height));
 }
 
+template <int Dim>
+std::vector<unsigned char> projectedCells(const ContinuityControls& controls, const Cells<Dim>& cells, const Topology<Dim>& topology) {
+    std::vector<unsigned char> projected(cells.size(), 0);
+    if (controls.stabilisation != "projection") return projected;
+    std::vector<unsigned char> inside(topology.nNodes()), besideInside(topology.nNodes());  // of the fluid; on a wall beside such a one
+    forEach(topology.nNodes(), [&](int i) { inside[i] = !topology.freeSurface[i] && !topology.onWall[i] && !topology.held(i); });
+    forEach(topology.nNodes(), [&](int i) {
+        if (!topology.onWall[i]) return;
+        for (int s = topology.ring.start[i]; s < topology.ring.start[i + 1]; ++s) besideInside[i] |= inside[topology.ring.node[s]];
+    });
+    forEach(cells.size(), [&](int e) {
+        bool contactLine = false, beside = false;
+        for (int node : cells.nodes[e]) {
+            projected[e] |= inside[node];
+            contactLine |= topology.freeSurface[node] && topology.onWall[node];
+            beside |= besideInside[node];
+        }
+        projected[e] |= contactLine && beside;
+    });
+    return projected;
+}
+
+template std::vector<unsigned char> projectedCells<2>(const ContinuityControls&, const Cells<2>&, const Topology<2>&);
 template double surfaceStabilisation<2>(double, double, double, double);
 template std::vector<double> stabilisation<2>(const Problem<2>&, const Cells<2>&, const Patches<2>&,
                                               const std::vector<double>&, const Points<2>&, double);

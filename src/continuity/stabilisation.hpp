@@ -1,6 +1,7 @@
 #pragma once
 // Stabilisation parameter of the continuity equation (30).
 
+#include "continuity/controls.hpp"
 #include "integration/nodalPatches.hpp"
 #include "state/problem.hpp"
 
@@ -21,5 +22,10 @@ std::vector<double> stabilisation(const Problem<Dim>& problem, const Cells<Dim>&
 /// equation.
 template <int Dim>
 double surfaceStabilisation(double tau, double mu, double cellMeasure, double faceMeasure);
+
+/// Per cell: does its stabilisation take the pressure's gradient less its projection (`projection`)? Not in films and tips, where no node lies
+/// inside and the projection is the gradient itself; but in the last cell at a contact line over a wall that has inner nodes beside it.
+template <int Dim>
+std::vector<unsigned char> projectedCells(const ContinuityControls& controls, const Cells<Dim>& cells, const Topology<Dim>& topology);
 
 }  // namespace pfem

@@ -16,24 +16,15 @@ Points<Dim> supportForces(const Problem<Dim>& problemOfRun, const Controls& cont
     const Integration scheme = controls.integration.scheme();
     const auto fluid = makePatches<Dim>(mesh.fluid.nodes, aroundFluid, nodes.x, scheme);
     const auto solid = makePatches<Dim>(mesh.solid.nodes, aroundSolid, nodes.x, scheme);
-    auto gradients = solid;
-    updatePatches<Dim>(gradients, gradientPositions<Dim>(controls.solid, nodes, nodes));
-
     auto mass = fluidMass<Dim>(problem, mesh.fluid, fluid);
     const auto massOfSolid = solidMass<Dim>(problem, mesh.solid, nodes.X);
     for (std::size_t i = 0; i < mass.size(); ++i) mass[i] += massOfSolid[i];
-    // a hyperelastic stress follows from the positions; the others are what is stored
-    const SolidStress<Dim> stress =
-        controls.solid.stressUpdate == "neoHookean"
-            ? solidStress<Dim>(problem, controls.solid, mesh.solid, gradients, nodes, nodes, 0)
-            : SolidStress<Dim>{storedAtPoints<Dim>(solid, nodes.sigma, mesh.solid.sigma), {}};
     const auto mu = flowViscosity<Dim>(problem, mesh.fluid, fluid, nodes.v).mu;
     const auto viscous = viscousForce<Dim>(fluid, mu, nodes.v);
     auto external = tractionForce<Dim>(mesh, problem.conditions, nodes.x);
     for (int i = 0; i < nodes.size(); ++i) external[i] -= viscous[i];
-    return momentumResidual<Dim>(
-        mass, nodes.a, problem.gravity, fluid, nodes.p, solid,
-        solidElementStress<Dim>(problem, controls.solid, mesh.solid, gradients, solid, stress, nodes), external);
+    return momentumResidual<Dim>(mass, nodes.a, problem.gravity, fluid, nodes.p, solid,
+                                 storedElementStress<Dim>(problem, controls.solid, mesh.solid, solid, nodes), external);
 }
 
 template Points<2> supportForces<2>(const Problem<2>&, const Controls&, const State<2>&);

@@ -79,10 +79,10 @@ Ratios viscousRatios(const std::vector<double>& viscous, const std::vector<doubl
 
 /// One value for all points: mean diagonal of the mass matrix over that of sum_e |e| grad N_I . grad N_I / Dim.
 template <int Dim>
-std::vector<double> meanBulk(const Patches<Dim>& fluid, const std::vector<double>& mass, double massFactor) {
+std::vector<double> meanBulk(const Patches<Dim>& fluid, const std::vector<double>& inertia) {
     double massSum = 0, gradientSum = 0;
     for (int i = 0; i < fluid.nNodes(); ++i)
-        if (fluid.around->count(i) > 0) massSum += massFactor * mass[i];
+        massSum += inertia[i];
     for (const auto& g : fluid.element)
         for (const auto& gradN : g.gradN) gradientSum += g.measure * gradN.squaredNorm() / Dim;
     return std::vector<double>(nStressPoints<Dim>(fluid), gradientSum > 0 ? massSum / gradientSum : 0);
@@ -94,16 +94,16 @@ template <int Dim>
 MomentumSystem<Dim>::MomentumSystem(const Problem<Dim>& problem, const MomentumControls& momentum,
                                     const Mesh<Dim>& mesh, const Topology<Dim>& topology,
                                     const NodeConstraints<Dim>& constraints, const Patches<Dim>& fluid,
-                                    FlowViscosity<Dim> viscosity, const std::vector<double>& mass, SolidDofs<Dim> dofs,
+                                    FlowViscosity<Dim> viscosity, const Points<Dim>& inertia, SolidDofs<Dim> dofs,
                                     SymmetricMatrix solid, const Newmark& newmark)
     : controls_(momentum),
       constraints_(constraints),
       fluid_(fluid),
       dofs_(std::move(dofs)),
       solid_(std::move(solid)),
-      moving_(mass.size(), 0),
-      diagonal_(mass.size(), 0.0),
-      massFactor_(newmark.massFactor()) {
+      moving_(inertia.size(), 0),
+      inertia_(inertia.size(), Vec<Dim>::Zero()),
+      diagonal_(inertia.size(), 0.0) {
     if (dofs_.n > 0) {
         factor_.analyze(solid_);
         factor_.factorize(solid_);
@@ -112,11 +112,11 @@ MomentumSystem<Dim>::MomentumSystem(const Problem<Dim>& problem, const MomentumC
         const bool moves = constraints.hold[i] == Hold::free || constraints.hold[i] == Hold::slide;
         moving_[i] = topology.wet(i) && !topology.onSolid[i] && moves;
     }
-    setMass(mass);
+    setInertia(inertia);
     setViscosity(std::move(viscosity));
     if (controls_.theta > 0) {
         bulk_ = controls_.bulkRule == "local" ? localBulk<Dim>(problem, mesh.fluid, fluid, newmark.dt)
-                                              : meanBulk<Dim>(fluid, mass, newmark.massFactor());
+                                              : meanBulk<Dim>(fluid, diagonal_);
         for (double& value : bulk_) value *= controls_.theta;
     }
 }
@@ -135,8 +135,16 @@ void MomentumSystem<Dim>::setViscosity(FlowViscosity<Dim> viscosity) {
 }
 
 template <int Dim>
-void MomentumSystem<Dim>::setMass(const std::vector<double>& mass) {
-    forEach(static_cast<int>(mass.size()), [&](int i) { diagonal_[i] = moving_[i] ? massFactor_ * mass[i] : 0.0; });
+void MomentumSystem<Dim>::setInertia(const Points<Dim>& inertia) {
+    forEach(static_cast<int>(inertia.size()), [&](int i) {
+        if (!moving_[i]) return;
+        inertia_[i] = inertia[i];
+        if (constraints_.hold[i] == Hold::slide) {  // the mean over the directions in which it can move
+            const Vec<Dim> free = Vec<Dim>::Ones() - constraints_.normal[i].cwiseAbs2();
+            inertia_[i].setConstant(inertia[i].dot(free) / (Dim - 1));
+        }
+        diagonal_[i] = inertia_[i].minCoeff();
+    });
 }
 
 template <int Dim>
@@ -169,7 +177,7 @@ Points<Dim> MomentumSystem<Dim>::restricted(const Points<Dim>& r) const {
 template <int Dim>
 Points<Dim> MomentumSystem<Dim>::apply(const Points<Dim>& u) const {
     Points<Dim> y(u.size(), Vec<Dim>::Zero());
-    for (std::size_t i = 0; i < u.size(); ++i) y[i] = diagonal_[i] * u[i];
+    for (std::size_t i = 0; i < u.size(); ++i) y[i] = inertia_[i].cwiseProduct(u[i]);
     if (viscous_)
         addInternalForce<Dim>(fluid_, fluidTangentStress<Dim>(fluid_, viscosity_, u, bulk_), y);
     if (dofs_.n > 0) scatter(solid_.multiply(gather(u)), y);
@@ -181,7 +189,8 @@ Points<Dim> MomentumSystem<Dim>::precondition(const Points<Dim>& r) const {
     Points<Dim> z(r.size(), Vec<Dim>::Zero());
     // projected again: the round-off of a large wall reaction must not become a direction
     forEach(static_cast<int>(r.size()), [&](int i) {
-        if (diagonal_[i] > 0) z[i] = constraints_.project(i, r[i]) / (diagonal_[i] + viscousDiagonal_[i]);
+        if (diagonal_[i] > 0)
+            z[i] = constraints_.project(i, r[i]).cwiseQuotient(inertia_[i] + Vec<Dim>::Constant(viscousDiagonal_[i]));
     });
     if (dofs_.n > 0) scatter(factor_.solve(gather(r)), z);
     return z;

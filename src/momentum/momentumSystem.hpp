@@ -17,11 +17,11 @@ public:
     /// `viscosity`: of their stress points.
     MomentumSystem(const Problem<Dim>& problem, const MomentumControls& momentum, const Mesh<Dim>& mesh,
                    const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,
-                   const Patches<Dim>& fluid, FlowViscosity<Dim> viscosity, const std::vector<double>& mass,
+                   const Patches<Dim>& fluid, FlowViscosity<Dim> viscosity, const Points<Dim>& inertia,
                    SolidDofs<Dim> dofs, SymmetricMatrix solid, const Newmark& newmark);
 
-    /// Lumped mass of the fluid's nodes in the current configuration (the solid's factor stays).
-    void setMass(const std::vector<double>& mass);
+    /// matrixInertia of the fluid's nodes in the current configuration (the solid's factor stays).
+    void setInertia(const Points<Dim>& inertia);
 
     /// Viscosity of the fluid's stress points.
     void setViscosity(FlowViscosity<Dim> viscosity);
@@ -53,10 +53,10 @@ private:
     SymmetricMatrix solid_;
     Ldlt factor_;
     std::vector<unsigned char> moving_;   // fluid nodes with unknowns, solids left out
-    std::vector<double> diagonal_;        // massFactor * m of moving fluid nodes, 0 elsewhere
+    Points<Dim> inertia_;                 // of moving fluid nodes; of a sliding one the same in all directions
+    std::vector<double> diagonal_;        // its least component, 0 elsewhere
     FlowViscosity<Dim> viscosity_;
     std::vector<double> viscousDiagonal_; // about that of the viscous matrix, where it is applied
-    double massFactor_;
     std::vector<double> bulk_;            // theta times bulkRule's value per stress point [Pa s], empty without
     double viscousNumber_ = 0;
     bool viscous_ = false;

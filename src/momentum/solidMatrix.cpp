@@ -111,13 +111,15 @@ SolidDofs<Dim> solidDofs(const NodeToCells& solid, const NodeConstraints<Dim>& c
 template <int Dim>
 SymmetricMatrix solidMatrix(const Problem<Dim>& problem, const SolidControls& controls, const Cells<Dim>& cells,
                             const Patches<Dim>& patches, const SolidDofs<Dim>& dofs,
-                            const std::vector<double>& mass, const std::vector<double>& h,
+                            const Points<Dim>& inertia, const std::vector<double>& h,
                             const Newmark& newmark) {
     const bool withPressure = controls.formulation == "velocityPressure";
     SymmetricMatrix A = emptySolidMatrix<Dim>(withPressure ? withNodalPoints<Dim>(patches) : patches, dofs);
-    for (int node : dofs.node)
-        for (int c = 0; c < dofs.count[node]; ++c)
-            A.add(dofs.first[node] + c, dofs.first[node] + c, newmark.massFactor() * mass[node]);
+    for (std::size_t k = 0; k < dofs.node.size(); ++k)
+        for (int c = 0; c < dofs.count[dofs.node[k]]; ++c) {
+            const int unknown = dofs.first[dofs.node[k]] + c;
+            A.add(unknown, unknown, inertia[dofs.node[k]].dot(dofs.basis[k].col(c).cwiseAbs2()));
+        }
 
     // strain: dt times the end-point rate, or times the mean of both ends
     const double tangent = controls.stressUpdate == "paper" ? newmark.dt : 0.5 * newmark.dt;
@@ -149,7 +151,7 @@ SymmetricMatrix solidMatrix(const Problem<Dim>& problem, const SolidControls& co
     template SolidDofs<D> solidDofs<D>(const NodeToCells&, const NodeConstraints<D>&);                      \
     template SymmetricMatrix solidMatrix<D>(const Problem<D>&, const SolidControls&, const Cells<D>&,       \
                                             const Patches<D>&, const SolidDofs<D>&,                         \
-                                            const std::vector<double>&, const std::vector<double>&,         \
+                                            const Points<D>&, const std::vector<double>&,                   \
                                             const Newmark&);
 PFEM_INSTANTIATE(2)
 

@@ -157,6 +157,18 @@ std::vector<Tensor<Dim>> solidElementStress(const Problem<Dim>& problem, const S
 }
 
 template <int Dim>
+std::vector<Tensor<Dim>> storedElementStress(const Problem<Dim>& problem, const SolidControls& controls, const Cells<Dim>& cells,
+                                             const Patches<Dim>& patches, const Nodes<Dim>& nodes) {
+    auto gradients = patches;
+    updatePatches<Dim>(gradients, gradientPositions<Dim>(controls, nodes, nodes));
+    // a hyperelastic stress follows from the positions; the others are what is stored
+    const SolidStress<Dim> stress = controls.stressUpdate == "neoHookean"
+                                        ? solidStress<Dim>(problem, controls, cells, gradients, nodes, nodes, 0)
+                                        : SolidStress<Dim>{storedAtPoints<Dim>(patches, nodes.sigma, cells.sigma), {}};
+    return solidElementStress<Dim>(problem, controls, cells, gradients, patches, stress, nodes);
+}
+
+template <int Dim>
 void storeSolidStress(const Patches<Dim>& patches, SolidStress<Dim> stress, std::vector<Stress<Dim>>& nodal,
                       std::vector<Stress<Dim>>& cell) {
     storeFromPoints<Dim>(patches, std::move(stress.point), nodal, cell);
@@ -175,6 +187,8 @@ void storeSolidStress(const Patches<Dim>& patches, SolidStress<Dim> stress, std:
     template std::vector<Tensor<D>> solidElementStress<D>(const Problem<D>&, const SolidControls&, const Cells<D>&, \
                                                           const Patches<D>&, const Patches<D>&,                    \
                                                           const SolidStress<D>&, const Nodes<D>&);                 \
+    template std::vector<Tensor<D>> storedElementStress<D>(const Problem<D>&, const SolidControls&, const Cells<D>&, \
+                                                           const Patches<D>&, const Nodes<D>&);                    \
     template void storeSolidStress<D>(const Patches<D>&, SolidStress<D>, std::vector<Stress<D>>&,                  \
                                       std::vector<Stress<D>>&);
 PFEM_INSTANTIATE(2)

@@ -54,6 +54,11 @@ std::vector<Tensor<Dim>> solidElementStress(const Problem<Dim>& problem, const S
                                             const Patches<Dim>& end, const SolidStress<Dim>& stress,
                                             const Nodes<Dim>& trial);
 
+/// The same for a state as it is stored, with the patches at its positions.
+template <int Dim>
+std::vector<Tensor<Dim>> storedElementStress(const Problem<Dim>& problem, const SolidControls& controls, const Cells<Dim>& cells,
+                                             const Patches<Dim>& patches, const Nodes<Dim>& nodes);
+
 /// Store the accepted stress at nodes and, elemental, in cells: sigma = s - p I; see storeFromPoints.
 template <int Dim>
 void storeSolidStress(const Patches<Dim>& patches, SolidStress<Dim> stress, std::vector<Stress<Dim>>& nodal,

@@ -79,13 +79,13 @@ void holdBack(const NodeToCells& around, const std::vector<Simplex<Dim>>& cells,
 
 template <int Dim>
 void giveWay(const RemeshingControls& controls, const Topology<Dim>& topology, const std::vector<double>& returned,
-             State<Dim>& state) {
+             double share, State<Dim>& state) {
     if (controls.surfaceShift == 0) return;
     Nodes<Dim>& nodes = state.nodes;
     const auto& cells = state.mesh.fluid.nodes;
     const auto surface = movableSurface<Dim>(topology, state.mesh);
     std::vector<double> lost = nodes.lostVolume;
-    for (int i = 0; i < nodes.size(); ++i) lost[i] -= returned[i];
+    for (int i = 0; i < nodes.size(); ++i) lost[i] = (lost[i] - returned[i]) * share;
     const auto shared = sharedAlongSurface<Dim>(topology, lost);
     Points<Dim> shifted = nodes.x;
     forEach(static_cast<int>(surface.size()), [&](int k) {
@@ -97,6 +97,6 @@ void giveWay(const RemeshingControls& controls, const Topology<Dim>& topology, c
     nodes.x = std::move(shifted);
 }
 
-template void giveWay<2>(const RemeshingControls&, const Topology<2>&, const std::vector<double>&, State<2>&);
+template void giveWay<2>(const RemeshingControls&, const Topology<2>&, const std::vector<double>&, double, State<2>&);
 
 }  // namespace pfem

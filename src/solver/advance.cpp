@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 #include "continuity/residual.hpp"
 #include "mesh/standing.hpp"
@@ -78,6 +79,15 @@ Topology<Dim> beginStep(const Problem<Dim>& problem, double dt, State<Dim>& stat
     return topology;
 }
 
+/// Part of the lost volume for which the surface gives way in a step: all of it, but in steps of several periods of the shortest waves,
+/// where it would come back in turns (doc/decisions.md).
+template <int Dim>
+double surfaceShare(const Problem<Dim>& problem, double dt, const Nodes<Dim>& nodes) {
+    double h = std::numeric_limits<double>::max();
+    for (const double size : nodes.h) h = std::min(h, size);
+    return std::min(1.0, 10 * h / (problem.gravity.norm() * dt * dt));
+}
+
 /// The densest fluid of the case.
 template <int Dim>
 ViscousFluid heaviestFluid(const Problem<Dim>& problem) {
@@ -104,7 +114,8 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
 
     MotionAccount<Dim> account(state);
     const double divTarget = volumeCorrection<Dim>(state, controls.continuity.volumeCorrectionTime, report.dt);
-    auto result = fsiStep<Dim>(problem, controls, state.mesh, topology, constraints, state.nodes, report.dt, divTarget);
+    const auto problemWithin = problemAt<Dim>(last.time.value + controls.timeIntegration.gamma * report.dt, problemOfRun);
+    auto result = fsiStep<Dim>(problemWithin, controls, state.mesh, topology, constraints, state.nodes, report.dt, divTarget);
     report.step = result.report;
     const std::vector<int> wallsOld = state.nodes.wall;
     const auto returned = returnedVolume<Dim>(
@@ -121,7 +132,7 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
 
     try {
         if (problem.conditions.anyMotion()) standOnWalls(state.mesh, wallPatches(kinds), state.nodes);
-        giveWay<Dim>(controls.remeshing, topology, returned, state);
+        giveWay<Dim>(controls.remeshing, topology, returned, surfaceShare<Dim>(problem, report.dt, state.nodes), state);
         account.book("surface", state);
         releaseFromWalls<Dim>(controls.remeshing, topology, problem.gravity, heaviestFluid<Dim>(problem), state.nodes);
         account.book("released", state);

@@ -15,6 +15,7 @@
 #include "momentum/momentumSystem.hpp"
 #include "momentum/residual.hpp"
 #include "momentum/solidStress.hpp"
+#include "momentum/surfaceStiffness.hpp"
 #include "momentum/wallFriction.hpp"
 #include "solver/anderson.hpp"
 #include "solver/convergence.hpp"
@@ -41,12 +42,43 @@ void moveNodes(const Newmark& newmark, const NodeConstraints<Dim>& constraints, 
             trial.p[i] = 0;
         }
         trial.x[i] = newmark.position<Dim>(old.x[i], old.v[i], trial.v[i]);
-        trial.a[i] = topology.isolated(i) ? fall : newmark.acceleration<Dim>(old.v[i], trial.v[i], old.a[i]);
+        trial.a[i] = topology.isolated(i) ? fall : newmark.acceleration<Dim>(old.v[i], trial.v[i]);
         if (!constraints.isMoved(i)) return;
         trial.x[i] = constraints.position(i, old.x[i], trial.x[i]);
         trial.v[i] = constraints.velocity(i, trial.x[i], trial.v[i]);
         trial.a[i] = constraints.combine(i, trial.a[i], (trial.v[i] - old.v[i]) / dt);  // no ringing after a jump
     });
+}
+
+/// Where the forces act: positions and velocities in the middle of the step, with the step's pressure and acceleration.
+template <int Dim>
+void takeMiddle(const Newmark& newmark, const Nodes<Dim>& old, const Nodes<Dim>& trial, Nodes<Dim>& middle) {
+    forEach(old.size(), [&](int i) {
+        middle.x[i] = newmark.middle<Dim>(old.x[i], trial.x[i]);
+        middle.v[i] = newmark.middle<Dim>(old.v[i], trial.v[i]);
+        middle.a[i] = trial.a[i];
+        middle.p[i] = trial.p[i];
+    });
+}
+
+/// rho g, with which the pressure of a node that is moved within the iteration changes when it keeps its depth; zero in steps that are short
+/// beside sqrt(h/g), where nothing moves far and a fall needs no pressure [Pa/m].
+template <int Dim>
+Vec<Dim> depthGradient(const Problem<Dim>& problem, const Nodes<Dim>& nodes, double dt) {
+    const auto fluid = std::find_if(problem.materials.begin(), problem.materials.end(),
+                                    [](const Material& m) { return m.kind == MaterialKind::fluid; });
+    const double h = nodes.h.empty() ? 0 : *std::min_element(nodes.h.begin(), nodes.h.end());
+    if (fluid == problem.materials.end() || problem.gravity.norm() * dt * dt < 0.1 * h) return Vec<Dim>::Zero();
+    return fluid->fluid.rho * problem.gravity;
+}
+
+/// p + gradient . x of the wet nodes; others keep p.
+template <int Dim>
+std::vector<double> withDepth(const Vec<Dim>& gradient, const Topology<Dim>& topology, const Points<Dim>& x, std::vector<double> p) {
+    forEach(topology.nNodes(), [&](int i) {
+        if (topology.wet(i)) p[i] += gradient.dot(x[i]);
+    });
+    return p;
 }
 
 /// Would the motion with the old velocities leave less than a fifth of some fluid cell? So it is at an impact, before
@@ -148,9 +180,11 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
     const auto massOfSolid = solidMass<Dim>(problem, mesh.solid, old.X);
     auto mass = nodalMass<Dim>(problem, mesh, fluid, massOfSolid);
     auto dofs = solidDofs<Dim>(topology.solid, constraints);
-    auto solidA = solidMatrix<Dim>(problem, controls.solid, mesh.solid, solid, dofs, mass, old.h, newmark);
+    const auto stiffness = surfaceStiffness<Dim>(problem, mesh.fluid, topology, old.x, newmark);
+    const auto inertia = matrixInertia<Dim>(mass, stiffness, newmark);
+    auto solidA = solidMatrix<Dim>(problem, controls.solid, mesh.solid, solid, dofs, inertia, old.h, newmark);
     auto viscosity = flowViscosity<Dim>(problem, mesh.fluid, fluid, old.v);
-    MomentumSystem<Dim> momentum(problem, controls.momentum, mesh, topology, constraints, fluid, viscosity, mass,
+    MomentumSystem<Dim> momentum(problem, controls.momentum, mesh, topology, constraints, fluid, viscosity, inertia,
                                  std::move(dofs), std::move(solidA), newmark);
     auto cellMu = fromPoints<Dim>(fluid, viscosity.mu);
     const auto tau = stabilisation<Dim>(problem, mesh.fluid, fluid, cellMu, old.v, dt);
@@ -168,9 +202,17 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
     const auto viscousScale = viscousPressureScale<Dim>(controls.continuity.viscousScale, topology);
     NewtonDamping<Dim> damping;
     Anderson pressureIteration(controls.convergence.accelerationDepth);
+    Points<Dim> solidForceOld(old.size(), Vec<Dim>::Zero());
+    addInternalForce<Dim>(solid, storedElementStress<Dim>(problem, controls.solid, mesh.solid, solid, old), solidForceOld);
     moveNodes<Dim>(newmark, constraints, topology, problem.gravity, old, trial);
+    Nodes<Dim> middle = old;
+    // the iteration changes p - rho g . x: nodes that move take the pressure of their depth along
+    const Vec<Dim> depth = depthGradient<Dim>(problem, old, dt);
+    std::vector<double> excess = withDepth<Dim>(-depth, topology, old.x, old.p);
+    takeMiddle<Dim>(newmark, old, trial, middle);
+    middle.p = trial.p = withDepth<Dim>(depth, topology, middle.x, excess);
     const int waiting = collapses<Dim>(fluid, trial.x) ? 2 : 0;
-    if (waiting == 0) updatePatches<Dim>(fluid, trial.x);
+    if (waiting == 0) updatePatches<Dim>(fluid, middle.x);
     for (bool converged = false; !converged;) {
         if (report.iterations == controls.convergence.maxIterations)
             throw notConverged<Dim>(report, dp, trial, topology, fluid);
@@ -180,42 +222,45 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
         mass = nodalMass<Dim>(problem, mesh, fluid, massOfSolid);
         stressOfSolid = solidStress<Dim>(problem, controls.solid, mesh.solid, solidGradients, old, trial, dt);
         if (yields) {
-            viscosity = flowViscosity<Dim>(problem, mesh.fluid, fluid, trial.v);
+            viscosity = flowViscosity<Dim>(problem, mesh.fluid, fluid, middle.v);
             cellMu = fromPoints<Dim>(fluid, viscosity.mu);
             momentum.setViscosity(viscosity);
         }
         // a viscous force that can hardly change any more stays as it is
         if (report.iterations == 0 || momentum.viscousNumber() * report.finalU > 0.1 * controls.convergence.tolU)
-            viscous = viscousForce<Dim>(fluid, viscosity.mu, trial.v);
-        auto external = tractionForce<Dim>(mesh, problem.conditions, trial.x);
-        addWallFriction<Dim>(problem, mesh.fluid, topology, trial, external);
-        addSideFriction<Dim>(problem, mesh.fluid, fluid, trial.v, external);
-        forEach(trial.size(), [&](int i) { external[i] -= viscous[i]; });
-        const auto R_m = momentumResidual<Dim>(
-            mass, trial.a, problem.gravity, fluid, trial.p, solid,
-            solidElementStress<Dim>(problem, controls.solid, mesh.solid, solidGradients, solid, stressOfSolid,
-                                    trial),
-            external);
-        momentum.setMass(mass);
+            viscous = viscousForce<Dim>(fluid, viscosity.mu, middle.v);
+        auto external = tractionForce<Dim>(mesh, problem.conditions, middle.x);
+        addWallFriction<Dim>(problem, mesh.fluid, topology, middle, external);
+        addSideFriction<Dim>(problem, mesh.fluid, fluid, middle.v, external);
+        forEach(trial.size(), [&](int i) { external[i] -= viscous[i] + (1 - newmark.gamma) * solidForceOld[i]; });
+        auto elementStress = solidElementStress<Dim>(problem, controls.solid, mesh.solid, solidGradients, solid, stressOfSolid, trial);
+        for (auto& sigma : elementStress) sigma *= newmark.gamma;
+        auto R_m = momentumResidual<Dim>(mass, middle.a, problem.gravity, fluid, middle.p, solid, elementStress, external);
+        forEach(trial.size(), [&](int i) { R_m[i] /= newmark.gamma; });
+        momentum.setInertia(matrixInertia<Dim>(mass, stiffness, newmark));
         const auto dv = momentum.solve(R_m);
         const double part = yields ? damping.next(dv) : 1;
         forEach(trial.size(), [&](int i) { trial.v[i] += part * dv[i]; });
         moveNodes<Dim>(newmark, constraints, topology, problem.gravity, old, trial);
 
+        takeMiddle<Dim>(newmark, old, trial, middle);
+        middle.p = trial.p = withDepth<Dim>(depth, topology, middle.x, excess);
+
         // patches again: the continuity lives in the updated configuration, and so does the next momentum
-        updatePatches<Dim>(fluid, report.iterations + 1 < waiting ? old.x : trial.x);
+        updatePatches<Dim>(fluid, report.iterations + 1 < waiting ? old.x : middle.x);
         const auto R_c = continuityResidual<Dim>(problem, controls.continuity, mesh.fluid, topology, fluid, cellMu, tau,
-                                                 trial, old, dt, divTarget);
+                                                 trial, middle, old, dt, divTarget);
         if (report.iterations > 0 && report.iterations % controls.convergence.refactorEvery == 0) {
             pressureIteration.restart();
             continuity = ContinuitySystem<Dim>(problem, controls.continuity, mesh.fluid, topology, constraints, fluid,
-                                               cellMu, tau, trial.x, momentum.solidDofs(), momentum.solidMatrix(), newmark);
+                                               cellMu, tau, middle.x, momentum.solidDofs(), momentum.solidMatrix(), newmark);
         }
         if (report.iterations == waiting) pressureIteration.restart();
         dp = continuity.solve(R_c);
         if (momentum.isViscous())
             addViscousPressure<Dim>(fluid, yields ? fromPoints<Dim>(fluid, tangentViscosity<Dim>(viscosity)) : cellMu, viscousScale, R_c, dp);
-        trial.p = pressureIteration.next(trial.p, dp);
+        excess = pressureIteration.next(excess, dp);
+        middle.p = trial.p = withDepth<Dim>(depth, topology, middle.x, excess);
 
         converged = convergence.reached(rms<Dim>(dv), rms<Dim>(trial.v), rms(dp), rms(trial.p)) &&
                     report.iterations >= waiting;
@@ -224,6 +269,7 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
         report.linearIterations = linear;
     }
     updatePatches<Dim>(solid, trial.x);
+    updatePatches<Dim>(fluid, trial.x);
     checkPatches<Dim>(fluid, solid, trial);
     StepResult<Dim> result{std::move(trial), {}, report};
     storeSolidStress<Dim>(solid, std::move(stressOfSolid), result.nodes.sigma, result.cellSigma);

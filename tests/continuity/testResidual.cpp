@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "continuity/residual.hpp"
 #include "continuity/stabilisation.hpp"
 #include "momentum/fluidStress.hpp"
@@ -35,8 +37,11 @@ struct Fluid {
         return residual(trial, old, divTarget);
     }
     std::vector<double> residual(const Nodes<2>& trial, const Nodes<2>& old, double divTarget = 0) const {
+        Nodes<2> middle = trial;  // in the same place, so that each term is seen alone
+        if (c.controls.continuity.stabilisation != "bodyForce")
+            for (int i = 0; i < n; ++i) middle.a[i] = (trial.v[i] - old.v[i]) / dt;
         return continuityResidual<2>(c.problem, c.controls.continuity, c.state.mesh.fluid, topology, patches,
-                                     viscosities(), tau, trial, old, dt, divTarget);
+                                     viscosities(), tau, trial, middle, old, dt, divTarget);
     }
     std::vector<double> viscosities() const {
         return std::vector<double>(c.state.mesh.fluid.size(), c.problem.materials[c.state.mesh.fluid.material[0]].fluid.mu);
@@ -48,6 +53,7 @@ double tauN(double tau, double mu, double h) { return std::min(tau, h * h / (12 
 
 TEST(ContinuityResidual, derivativeWithRespectToPressure) {
     Fluid f(irregularPair());
+    f.c.controls.continuity.stabilisation = "inertia";
     f.c.problem.materials[0].fluid.kappa = f.c.problem.materials[1].fluid.kappa = 1e5;  // make it felt
     Nodes<2> trial = f.c.state.nodes;
     trial.v = randomVectors(f.n, 1);
@@ -80,6 +86,41 @@ TEST(ContinuityResidual, derivativeWithRespectToPressure) {
         part = std::max(part, std::abs(surface[i]));
     }
     EXPECT_GT(part, 1e-7);
+}
+
+// The projected stabilisation cannot give energy to any flow: symmetric, q . S q >= 0, nothing for a linear pressure, and no volume in the sum.
+TEST(ContinuityResidual, projectionIsSymmetricAndPositive) {
+    Fluid f(irregularPair());
+    ASSERT_EQ(f.c.controls.continuity.stabilisation, "projection");
+    f.c.problem.gravity.setZero();
+    for (auto& m : f.c.problem.materials) m.fluid.kappa = 1e300;
+    std::mt19937 random(9);
+    std::uniform_real_distribution<double> factor(0.5, 2);
+    for (double& t : f.tau) t *= factor(random);  // different in each cell
+    const auto projected = projectedCells<2>(f.c.controls.continuity, f.c.state.mesh.fluid, f.topology);
+    for (int e = 0; e < f.patches.nCells(); ++e) EXPECT_TRUE(projected[e]) << e;
+    const auto S = [&](const std::vector<double>& p) {
+        Nodes<2> trial = f.c.state.nodes;
+        trial.p = p;
+        return f.residual(trial, f.c.state.nodes);
+    };
+    double largestPower = 0;
+    for (unsigned k = 0; k < 20; ++k) {
+        const auto p = randomNumbers(f.n, k), q = randomNumbers(f.n, 100 + k);
+        const auto Sp = S(p);
+        EXPECT_NEAR(dot(q, Sp), dot(p, S(q)), 1e-12 * std::abs(dot(p, Sp)));
+        EXPECT_GT(dot(p, Sp), 0);
+        EXPECT_NEAR(std::accumulate(Sp.begin(), Sp.end(), 0.0), 0, 1e-12 * largest(Sp));
+        largestPower = std::max(largestPower, dot(p, Sp));
+    }
+    std::vector<double> linear(f.n), quadratic(f.n);
+    for (int i = 0; i < f.n; ++i) {
+        const Vec<2> x = f.c.state.nodes.x[i];
+        linear[i] = 3 * x[0] - 2 * x[1] + 5;
+        quadratic[i] = x[0] * x[0];
+    }
+    EXPECT_LT(largest(S(linear)), 1e-13 * largestPower);
+    EXPECT_GT(dot(quadratic, S(quadratic)), 1e-9 * largestPower);
 }
 
 // The force of the pressure and the divergence are adjoint: v . (B^T p) = p . (B v).
@@ -129,7 +170,7 @@ TEST(ContinuityResidual, exactStatesHaveNone) {
     EXPECT_EQ(std::count_if(f.topology.faces.begin(), f.topology.faces.end(),
                             [](const auto& face) { return face.kind == FaceKind::interface; }), 20);
     const double scale = f.tau[0] * 1000 * 9.81;
-    for (const char* stabilisation : {"inertia", "bodyForce"})
+    for (const char* stabilisation : {"projection", "inertia", "bodyForce"})
         for (const double a : {0.0, 4.0, -9.81}) {  // at rest, pushed up, falling
             auto& controls = f.c.controls.continuity;
             controls.stabilisation = stabilisation;

@@ -8,6 +8,7 @@
 #include "momentum/mass.hpp"
 #include "momentum/solidMatrix.hpp"
 #include "momentum/solidStress.hpp"
+#include "momentum/surfaceStiffness.hpp"
 #include "support/cases.hpp"
 
 using namespace pfem;
@@ -78,7 +79,8 @@ TEST_P(SolidTangent, isTheDerivativeOfTheResidual) {
     const auto mass = solidMass<2>(s.c.problem, s.cells, s.c.state.nodes.X);
     const auto& old = s.c.state.nodes;
     const auto dofs = solidDofs<2>(s.topology.solid, s.constraints);
-    const auto A = solidMatrix<2>(s.c.problem, controls, s.cells, s.patches(old.x), dofs, mass, old.h, newmark);
+    const auto A = solidMatrix<2>(s.c.problem, controls, s.cells, s.patches(old.x), dofs,
+                                  matrixInertia<2>(mass, Points<2>(s.n, Vec<2>::Zero()), newmark), old.h, newmark);
 
     Points<2> w = randomVectors(s.n, 5);
     for (int i = 0; i < s.n; ++i) w[i] = s.constraints.project(i, w[i]);
@@ -87,7 +89,7 @@ TEST_P(SolidTangent, isTheDerivativeOfTheResidual) {
         Points<2> v = w;
         for (auto& u : v) u *= factor;
         Points<2> R = s.force(controls, old, s.trial(controls, old, v, newmark.dt));
-        for (int i = 0; i < s.n; ++i) R[i] += mass[i] * newmark.acceleration<2>(old.v[i], v[i], old.a[i]);
+        for (int i = 0; i < s.n; ++i) R[i] += mass[i] * newmark.acceleration<2>(old.v[i], v[i]) / newmark.gamma;
         return gather(dofs, R);
     };
     const Eigen::VectorXd difference = (residual(eps) - residual(-eps)) / (2 * eps);

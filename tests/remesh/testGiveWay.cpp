@@ -32,7 +32,7 @@ struct Tank {
         throw std::runtime_error("no such node");
     }
     void shift() {
-        giveWay<2>(c.controls.remeshing, topology, std::vector<double>(c.state.nodes.id.size(), 0.0), c.state);
+        giveWay<2>(c.controls.remeshing, topology, std::vector<double>(c.state.nodes.id.size(), 0.0), 1, c.state);
     }
 };
 

@@ -1,0 +1,39 @@
+#include "momentum/surfaceStiffness.hpp"
+
+#include "base/parallel.hpp"
+#include "mesh/simplex.hpp"
+
+namespace pfem {
+
+template <int Dim>
+Points<Dim> surfaceStiffness(const Problem<Dim>& problem, const Cells<Dim>& fluid, const Topology<Dim>& topology,
+                             const Points<Dim>& x, const Newmark& newmark) {
+    Points<Dim> stiffness(x.size(), Vec<Dim>::Zero());
+    const double g = problem.gravity.norm();
+    if (g == 0) return stiffness;
+    const Vec<Dim> direction = problem.gravity.cwiseAbs2() / (g * g);
+    for (const auto& face : topology.faces) {
+        if (face.kind != FaceKind::freeSurface && face.kind != FaceKind::interface) continue;
+        const double pressing = -problem.gravity.dot(faceArea<Dim>(x, face.nodes));  // |face| times -g . n
+        const double share = 0.5 * newmark.dt * problem.fluid(fluid.material[face.cell]).rho * std::max(0.0, pressing) / Dim;
+        for (int node : face.nodes) stiffness[node] += share * direction;
+    }
+    return stiffness;
+}
+
+template <int Dim>
+Points<Dim> matrixInertia(const std::vector<double>& mass, const Points<Dim>& stiffness, const Newmark& newmark) {
+    Points<Dim> inertia(mass.size());
+    forEach(static_cast<int>(mass.size()), [&](int i) {
+        inertia[i] = matrixInertia<Dim>(mass[i], stiffness[i], newmark);
+    });
+    return inertia;
+}
+
+#define PFEM_INSTANTIATE(D)                                                                                      \
+    template Points<D> surfaceStiffness<D>(const Problem<D>&, const Cells<D>&, const Topology<D>&, const Points<D>&, \
+                                           const Newmark&);                                                      \
+    template Points<D> matrixInertia<D>(const std::vector<double>&, const Points<D>&, const Newmark&);
+PFEM_INSTANTIATE(2)
+
+}  // namespace pfem
