@@ -5,6 +5,7 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include <cmath>
 #include <deque>
 
 #include "base/error.hpp"
@@ -22,11 +23,30 @@ using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Delaunay =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_tag>;
 
+/// The points on a grid of a billionth of their extent. Four points on one circle, as corners of a rectangle or of a
+/// symmetric trapezoid are, would leave the choice of the diagonal to round-off; on the grid it is the same in all units.
+std::vector<Kernel::Point_2> onGrid(const Points<2>& points) {
+    Vec<2> low = points.front(), high = low;
+    for (const auto& x : points) {
+        low = low.cwiseMin(x);
+        high = high.cwiseMax(x);
+    }
+    const double extent = (high - low).maxCoeff();
+    std::vector<Kernel::Point_2> result;
+    result.reserve(points.size());
+    for (const auto& x : points) {
+        const Vec<2> place = (x - low) / extent * (1 << 30);
+        result.emplace_back(std::rint(place.x()), std::rint(place.y()));
+    }
+    return result;
+}
+
 std::vector<Delaunay::Vertex_handle> insertPoints(Delaunay& delaunay, const Points<2>& points) {
+    const auto places = onGrid(points);
     std::vector<Delaunay::Vertex_handle> vertex(points.size());
     Delaunay::Face_handle hint;
     for (const int i : hilbertOrder(points)) {
-        vertex[i] = delaunay.insert(Kernel::Point_2(points[i].x(), points[i].y()), hint);
+        vertex[i] = delaunay.insert(places[i], hint);
         vertex[i]->info() = i;
         hint = vertex[i]->face();
     }

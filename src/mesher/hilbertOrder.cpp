@@ -35,10 +35,11 @@ std::vector<int> hilbertOrder(const Points<2>& points) {
     constexpr int bits = 20;
     const double extent = (high - low).maxCoeff();
     const double scale = extent > 0 ? ((1u << bits) - 1) / extent : 0.0;
+    const Vec<2> roundOff = Vec<2>::Constant(1e-6);  // of a cell: what lies on its border belongs to it
     std::vector<std::pair<std::uint64_t, int>> keyed;
     keyed.reserve(points.size());
     for (const auto& x : points) {
-        const Vec<2> cell = scale * (x - low);
+        const Vec<2> cell = scale * (x - low) + roundOff;
         keyed.emplace_back(
             hilbertIndex(static_cast<std::uint32_t>(cell.x()), static_cast<std::uint32_t>(cell.y()), bits),
             static_cast<int>(keyed.size()));

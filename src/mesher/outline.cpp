@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesher/counts.hpp"
+
 namespace pfem {
 
 Location Outline::at(const std::string& keyword) const {
@@ -68,7 +70,7 @@ std::array<int, 2> patternCells(const MeshDescription& mesh, const Body& body) {
     const double h = bodySize(mesh, body);
     const auto divide = [&](int edge) {
         const double mean = 0.5 * (edgeCurve(body, edge).length() + edgeCurve(body, edge + 2).length());
-        return std::max(1, static_cast<int>(std::lround(mean / h)));
+        return nearestCount(mean / h);
     };
     return {divide(0), divide(1)};
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesher/counts.hpp"
+
 namespace pfem {
 
 double Region::area() const {
@@ -87,7 +89,7 @@ Region regionOf(const MeshDescription& mesh, int body, const Arrangement& arrang
         longest = curve.length();
         region.rowDirection = (curve.point(1) - curve.point(0)) / longest;
         region.rowOrigin = curve.point(0);
-        region.rowSpacing = longest / std::max(1.0, std::round(longest / region.h));
+        region.rowSpacing = longest / nearestCount(longest / region.h);
     }
     return region;
 }

@@ -24,9 +24,9 @@ void seedCorners(Region& region) {
         const Vec<2> out = region.x[region.edges[next[i]][1]] - region.x[i];
         const Vec<2> in = region.x[region.edges[previous[i]][0]] - region.x[i];
         const double angle = std::atan2(out.x() * in.y() - out.y() * in.x(), out.dot(in));
-        if (angle <= 0 || angle > 150 * degree) continue;  // reflex, or wide enough
+        if (angle <= 0 || angle > (150 + 1e-9) * degree) continue;  // reflex, or wide enough
         const bool betweenWalls = region.fluid && region.onWall[next[i]] && region.onWall[previous[i]];
-        if (angle < 80 * degree && !betweenWalls) continue;
+        if (angle < (80 - 1e-9) * degree && !betweenWalls) continue;
         const Vec<2> bisector = (out.normalized() + in.normalized()).normalized();
         const double h = std::min(out.norm(), in.norm());
         const Vec<2> x = region.x[i] + h * bisector;

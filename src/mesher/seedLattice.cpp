@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "mesher/binGrid.hpp"
+#include "mesher/counts.hpp"
 #include "mesher/region.hpp"
 
 namespace pfem {
@@ -27,7 +28,7 @@ void forLattice(const Region& region, double scale, F&& f) {
     }
     // rows that fit between parallel sides
     const double ideal = 0.5 * std::sqrt(3.0) * scale * region.h;
-    const double rowHeight = (high - low) / std::max(1.0, std::round((high - low) / ideal));
+    const double rowHeight = (high - low) / nearestCount((high - low) / ideal);
     const auto firstRow = static_cast<long>(std::floor(low / rowHeight));
     const auto nRows = static_cast<long>(std::ceil(high / rowHeight)) - firstRow + 1;
     std::vector<std::vector<double>> crossings(nRows);  // abscissae where the row passes the boundary
@@ -68,20 +69,21 @@ void seedAt(Region& region, const SizeField& size, double clearance) {
     const bool graded = size.graded(region.h);
     const double ratio = 1.25;
     const int levels =
-        graded ? static_cast<int>(std::ceil(std::log(region.h / size.smallest()) / std::log(ratio))) : 0;
+        graded ? countAbove(std::log(region.h / size.smallest()) / std::log(ratio)) : 0;
     for (int level = levels; level >= 0; --level) {
         const double h = region.h / std::pow(ratio, level);
         forLattice(region, h / region.h, [&](const Vec<2>& x) {
             const double s = size.at(x, region.h);
             if (graded && (s > h * std::sqrt(ratio) || (s <= h / std::sqrt(ratio) && level < levels))) return;
+            const double least = s * (1 - lengthRoundOff);  // points of the lattice are often just as far
             bool free = true;
             boundary.forEachNear(x, clearance * s, [&](int e) {
                 free = free && segmentDistance(x, region.x[region.edges[e][0]],
-                                               region.x[region.edges[e][1]]) >= clearance * s;
+                                               region.x[region.edges[e][1]]) >= clearance * least;
             });
             if (!free) return;
             points.forEachNear(x, spacing * s,
-                               [&](int i) { free = free && (region.x[i] - x).norm() >= spacing * s; });
+                               [&](int i) { free = free && (region.x[i] - x).norm() >= spacing * least; });
             if (!free) return;
             points.add(static_cast<int>(region.x.size()), x, x);
             region.x.push_back(x);

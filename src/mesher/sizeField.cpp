@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mesher/counts.hpp"
+
 namespace pfem {
 
 SizeField::SizeField(const MeshDescription& mesh, const Arrangement& arrangement) : refinements_(mesh.refinements) {
@@ -30,7 +32,7 @@ SizeField::SizeField(const MeshDescription& mesh, const Arrangement& arrangement
         const double h = pieceSize_[i];
         if (h >= largest * (1 - 1e-9)) continue;
         const Curve& curve = arrangement.pieces[i].curve;
-        const int n = std::max(1, static_cast<int>(std::ceil(curve.length() / h)));
+        const int n = std::max(1, countAbove(curve.length() / h));
         for (int k = 0; k <= n; ++k) sources_.push_back({curve.point(double(k) / n), h});
     }
     std::stable_sort(sources_.begin(), sources_.end(),
@@ -69,14 +71,14 @@ std::vector<double> divide(const Curve& curve, double h, const SizeField& size) 
     std::vector<double> inner;
     const double length = curve.length();
     if (!size.graded(h)) {
-        const int n = std::max(1, static_cast<int>(std::lround(length / h)));
+        const int n = nearestCount(length / h);
         for (int k = 1; k < n; ++k) inner.push_back(double(k) / n);
         return inner;
     }
-    const int m = std::max(8, static_cast<int>(std::ceil(8 * length / size.smallest())));
+    const int m = std::max(8, countAbove(8 * length / size.smallest()));
     std::vector<double> sum(m + 1, 0.0);  // number of edges up to k / m
     for (int k = 0; k < m; ++k) sum[k + 1] = sum[k] + length / m / size.at(curve.point((k + 0.5) / m), h);
-    const int n = std::max(1, static_cast<int>(std::lround(sum[m])));
+    const int n = nearestCount(sum[m]);
     for (int i = 1, k = 0; i < n; ++i) {
         const double wanted = sum[m] * i / n;
         while (sum[k + 1] < wanted) ++k;
