@@ -122,7 +122,7 @@ class PfemParticlePaths(VTKPythonAlgorithmBase):
         info = outInfo.GetInformationObject(0)
         now = info.Get(Pipeline.UPDATE_TIME_STEP()) if info.Has(Pipeline.UPDATE_TIME_STEP()) else time[-1]
         # particle by particle, the times until now at which it is there
-        there = (np.isfinite(x[:, :, 0]) & (time[:, None] <= now + 1e-12)).T
+        there = (np.isfinite(x[:, :, 0]) & (time[:, None] <= now + 1e-12 * abs(now))).T
         fields = {"id": np.broadcast_to(ids[:, None], there.shape)[there],
                   "time": np.broadcast_to(time, there.shape)[there],
                   "U": velocity.transpose(1, 0, 2)[there], "p": pressure.T[there]}

@@ -33,7 +33,7 @@ std::string chooseStart(const Case& theCase, const ControlDict& controls) {
     if (controls.startFrom == "latestTime") return times.complete.back().name;
     std::string known;
     for (const auto& folder : times.complete) {
-        if (std::abs(folder.value - controls.startTime) <= 1e-9 * std::max(1.0, std::abs(folder.value)))
+        if (std::abs(folder.value - controls.startTime) <= 1e-9 * std::max(controls.deltaT, std::abs(folder.value)))
             return folder.name;
         known += " " + folder.name;
     }

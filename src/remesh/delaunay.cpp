@@ -1,5 +1,7 @@
 #include "remesh/delaunay.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -41,7 +43,7 @@ bool haveEdge(const Handles& handle, const Face<2>& face) {
 void insertFixed(Cdt& cdt, const Handles& handle, const std::vector<Face<2>>& faces) {
     const auto place = [&](int node) {
         const auto& p = handle[node]->point();
-        return "(" + std::to_string(p.x()) + " " + std::to_string(p.y()) + ")";
+        return fmt::format("({:.6g} {:.6g})", p.x(), p.y());
     };
     for (const auto& face : faces)
         try {

@@ -62,6 +62,9 @@ std::string motionText(const Dictionary& entry) {
     return text.str();
 }
 
+/// Nothing is denser in g/cm3, or in units with smaller numbers; in kg/m3 all liquids are.
+constexpr double densest = 25;
+
 /// Where patches that hold their nodes meet, they must move alike: a node cannot follow both.
 template <int Dim>
 void checkMotions(const Dictionary& dict, const BoundaryConditions<Dim>& conditions, const Mesh<Dim>& mesh) {
@@ -149,9 +152,19 @@ std::vector<std::string> doubts(const Dictionary& materials, const Dictionary& g
     for (const auto& traction : problem.conditions.traction) driven = driven || traction.norm() > 0;
     for (const auto& [entry, value] : flatEntries(conditions)) driven = driven || entry.find(".motion") != std::string::npos;
     if (!driven) doubt(gravity, "value", "nothing will move: gravity and all velocities are zero, and there is no load");
-    if (g > 1000) doubt(gravity, "value", fmt::format("gravity of {:g} m/s2 is a hundred times that of the earth", g));
+    double heaviest = 0;
+    for (const auto& material : problem.materials)
+        heaviest = std::max(heaviest, material.kind == MaterialKind::fluid ? material.fluid.rho : material.solid.rho);
+    const bool inMetres = heaviest > densest;
+    if (g > 1000 && inMetres)
+        doubt(gravity, "value", fmt::format("gravity of {:g} m/s2 is a hundred times that of the earth", g));
     for (const auto& material : problem.materials) {
         const double depth = (high - low).norm();
+        if (material.kind == MaterialKind::fluid && !inMetres && !materials.subDict(material.name).found("kappa"))
+            doubt(materials.subDict(material.name), "rho",
+                  fmt::format("not in kg/m3, it seems, and without an entry 'kappa' the bulk modulus is {:g}, that of water in Pa: "
+                              "give it in the units of the case",
+                              material.fluid.kappa));
         if (material.kind == MaterialKind::fluid && material.fluid.rho * g * depth > 0.1 * material.fluid.kappa)
             doubt(materials.subDict(material.name), "kappa",
                   fmt::format("under its own weight ({:.3g} m deep) this fluid loses more than a tenth of its volume", depth));

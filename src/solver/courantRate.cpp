@@ -37,7 +37,7 @@ double closingRate(const Nodes<Dim>& nodes, const std::vector<Simplex<Dim>>& sim
             h += nodes.h[s[k]] / (Dim + 1);
         }
         const double height = Dim * simplexMeasure<Dim>(nodes.x, s) / area;
-        const double flat = std::min(1.0, height / (leastHeight * h + 1e-300));
+        const double least = leastHeight * h, flat = height >= least ? 1 : least > 0 ? height / least : 0;
         largest = std::max(largest, -simplexDivergence<Dim>(nodes.x, nodes.v, s) * flat);
     }
     return largest;

@@ -194,6 +194,10 @@ TEST_F(TimeControlTest, StartFrom) {
     EXPECT_EQ(open().startFolder(), fs::canonical(folder_.path()) / "0.1");
     write("startFrom startTime; startTime 0.3;" + rest);
     EXPECT_THROW(open(), UserError);
+    for (const char* name : {"2e-10", "4e-10"}) writeState(folder_.path() / name, State<2>{});
+    write("startFrom startTime; startTime 4e-10; endTime 1e-9; deltaT 1e-11;");  // a case of nanoseconds, or in other units
+    EXPECT_EQ(open().startName(), "4e-10");
+    for (const char* name : {"2e-10", "4e-10"}) fs::remove_all(folder_.path() / name);
     for (const char* name : {"0", "0.1", "0.25"}) fs::remove_all(folder_.path() / name);
     EXPECT_THROW(open(), UserError);
 }

@@ -93,4 +93,24 @@ TEST(CheckProblem, oneFluid) {
     }
 }
 
+/// What is doubted of water with this density and gravity.
+std::string doubtsOf(const std::string& rho, double gravity, const std::string& kappa) {
+    const std::string text = "water { type newtonian; rho " + rho + "; mu 0; " + kappa + " }\n";
+    TestCase c = makeCase("meshSize 0.1; bodies ( pool { type fluid; material water; " + rectangle(0, 0, 1, 0.5) + " } );", text, "",
+                          {0, -gravity});
+    std::string all;
+    for (const auto& doubt : doubts<2>(Dictionary::parse(text, "materials"), Dictionary::parse("value (0 0 0);", "g"), Dictionary(),
+                                       c.problem, c.state))
+        all += doubt + "\n";
+    return all;
+}
+
+TEST(CheckProblem, doubtsKnowOtherUnitsThanMetres) {
+    EXPECT_EQ(doubtsOf("1000", 9.81, ""), "");
+    EXPECT_NE(doubtsOf("1000", 9810, "kappa 1e12;").find("a hundred times that of the earth"), std::string::npos);
+    EXPECT_EQ(doubtsOf("1e-9", 9810, "kappa 2100;"), "");  // mm, t, s
+    EXPECT_EQ(doubtsOf("1", 981, "kappa 2.1e10;"), "");    // cm, g, s
+    for (const char* rho : {"1e-9", "1"}) EXPECT_NE(doubtsOf(rho, 9.81, "").find("without an entry 'kappa'"), std::string::npos) << rho;
+}
+
 }  // namespace

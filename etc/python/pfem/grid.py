@@ -63,10 +63,11 @@ class Grid:
         triangles = self.triangles
         corner = self.points[triangles][:, :, :2]
         low, high = corner.min(axis=1), corner.max(axis=1)
+        slack = 1e-9 * (high - low)
         a, u, w = corner[:, 0], corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]
         twice = u[:, 0] * w[:, 1] - u[:, 1] * w[:, 0]
         for k, x in enumerate(places):
-            near = np.flatnonzero(((low <= x + 1e-12) & (x - 1e-12 <= high)).all(axis=1) & (twice > 0))
+            near = np.flatnonzero(((low - slack <= x) & (x <= high + slack)).all(axis=1) & (twice > 0))
             d = x - a[near]
             l1 = (d[:, 0] * w[near, 1] - d[:, 1] * w[near, 0]) / twice[near]
             l2 = (u[near, 0] * d[:, 1] - u[near, 1] * d[:, 0]) / twice[near]

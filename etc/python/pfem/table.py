@@ -62,7 +62,7 @@ def readTable(*files):
         titles = newTitles
         if newRows:
             start = _number(newRows[0][0], file)
-            rows = [row for row in rows if row[0] < start - 1e-12]
+            rows = [row for row in rows if row[0] < start - 1e-12 * abs(start)]
         rows += [[_number(row[0], file)] + [_value(cell, file) for cell in row[1:]] for row in newRows]
     time = np.array([row[0] for row in rows], dtype=float)
     columns = {title: _column([row[k + 1] for row in rows]) for k, title in enumerate(titles)}
