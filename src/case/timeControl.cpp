@@ -170,15 +170,17 @@ std::string TimeControl::name(const TimeInfo& time) const {
     return timeName(time.value, controls_.timeFormat, precision);
 }
 
-void TimeControl::written(const TimeInfo& time) {
+bool TimeControl::written(const TimeInfo& time) {
     const std::string current = name(time);
-    std::erase(names_, current);
-    names_.push_back(current);
+    if (names_.empty() || names_.back() != current) names_.push_back(current);
+    bool removed = false;
     while (controls_.purgeWrite > 0 && static_cast<int>(names_.size()) > controls_.purgeWrite) {
         std::error_code ignored;
         if (asNumber(names_.front()) != 0.0) removeTime(root_, names_.front(), ignored);
         names_.pop_front();
+        removed = true;
     }
+    return removed;
 }
 
 }  // namespace pfem

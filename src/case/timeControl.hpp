@@ -50,8 +50,8 @@ public:
     std::string name(const TimeInfo& time) const;
     std::filesystem::path folder(const TimeInfo& time) const { return root_ / name(time); }
 
-    /// Tell that the folder of `time` is written: removes the oldest folder of this run beyond purgeWrite.
-    void written(const TimeInfo& time);
+    /// Tell that the folder of `time` is written: removes the oldest folder of this run beyond purgeWrite. Was there one?
+    bool written(const TimeInfo& time);
 
 private:
     void readAgainIfChanged();

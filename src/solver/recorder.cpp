@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "io/series.hpp"
 #include "io/stateFiles.hpp"
 #include "solver/failedFolder.hpp"
 #include "solver/outputFields.hpp"
@@ -13,9 +12,12 @@ namespace pfem {
 template <int Dim>
 void Recorder<Dim>::save(const State<Dim>& state) {
     if (state.time.index == written_) return;
+    series_.look();
     writeState(clock_.folder(state.time), state, outputFields(problem_, state));
-    clock_.written(state.time);  // may remove older ones
-    writeSeries(case_.root());
+    if (clock_.written(state.time))
+        series_.write();
+    else
+        series_.add(clock_.name(state.time));
     written_ = state.time.index;
     name_ = clock_.name(state.time);
 }

@@ -2,6 +2,7 @@
 // What a run leaves in its case: time folders and, where it cannot go on, the reason.
 
 #include "case/timeControl.hpp"
+#include "io/series.hpp"
 #include "solver/advance.hpp"
 
 namespace pfem {
@@ -11,7 +12,8 @@ template <int Dim>
 class Recorder {
 public:
     Recorder(const Case& theCase, const Problem<Dim>& problem, TimeControl& clock, const State<Dim>& start)
-        : case_(theCase), problem_(problem), clock_(clock), first_(start.time.index), written_(first_), name_(clock.startName()) {}
+        : case_(theCase), problem_(problem), clock_(clock), series_(theCase.root()), first_(start.time.index), written_(first_),
+          name_(clock.startName()) {}
 
     /// Write the folder of this time and the lists for ParaView; nothing when it stands there already. Throws UserError.
     void save(const State<Dim>& state);
@@ -28,6 +30,7 @@ private:
     const Case& case_;
     const Problem<Dim>& problem_;
     TimeControl& clock_;
+    Series series_;     // for ParaView
     int first_;         // index of the time at which the run began
     int written_;       // index of the time that was written last
     std::string name_;  // of its folder
