@@ -25,6 +25,21 @@ void printTable(const std::vector<MassBalance>& rows) {
     fmt::print("\n\n");
 }
 
+/// The largest part of the volume that pressure has taken or given, when it is worth a line.
+void printCompression(const std::vector<MassBalance>& rows) {
+    double largest = 0, time = 0;
+    for (const auto& row : rows) {
+        const auto compression = row.causes.find("compression");
+        if (compression == row.causes.end() || !(row.volume > 0)) continue;
+        const double part = compression->second / row.volume;
+        if (std::abs(part) <= std::abs(largest)) continue;
+        largest = part;
+        time = row.time;
+    }
+    if (std::abs(largest) < 1e-5) return;
+    fmt::print("Pressure changes the volume by at most {:.3g} % (at time {:g}): compression, no change of mass.\n", 100 * largest, time);
+}
+
 double readTolerance(const Options& options) {
     const auto tolerance = asNumber(options.get("tolerance", "0.015"));
     if (!tolerance || *tolerance < 0)
@@ -51,6 +66,7 @@ int main(int argc, char** argv) {
                 rows.push_back(account.balance(readState<2>(theCase.time(time.name))));
             printTable(rows);
 
+            printCompression(rows);
             const MassBalance* worst = &rows.front();
             for (const auto& row : rows)
                 if (std::abs(row.relativeChange) > std::abs(worst->relativeChange)) worst = &row;

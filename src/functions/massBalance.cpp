@@ -25,9 +25,10 @@ double fluidMass(const State<Dim>& state, const std::map<std::string, double>& d
     for (std::size_t e = 0; e < cells.nodes.size(); ++e)
         volumes.at(static_cast<std::size_t>(cells.material[e])) +=
             simplexMeasure<Dim>(state.nodes.x, cells.nodes[e]);
+    const auto compression = state.ledger.find("compression");
     if (!volumes.empty() && !cells.material.empty())
         volumes[static_cast<std::size_t>(*std::min_element(cells.material.begin(), cells.material.end()))] +=
-            dropVolume<Dim>(state);
+            dropVolume<Dim>(state) - (compression == state.ledger.end() ? 0 : compression->second);
     double mass = 0;
     for (std::size_t m = 0; m < volumes.size(); ++m) {
         if (volumes[m] == 0) continue;

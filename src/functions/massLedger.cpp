@@ -113,7 +113,7 @@ void MassLedger<Dim>::beginTable() {
         for (const auto& title : titles) columns.back().push_back(row.count(title) ? row.at(title) : "0");
     }
     table_.emplace(file_, context_.precision, 0.0);
-    table_->comment("Fluid volume [m2 (2D), m3], mass [kg/m, kg] and cumulative change of volume by cause");
+    table_->comment("Fluid volume [m2 (2D), m3], mass [kg/m, kg] and cumulative change of volume by cause; compression is no change of mass");
     table_->header(titles);
     table_->replaceRows(columns);
 }

@@ -24,7 +24,7 @@ struct MassLedgerEntries {
     }
 };
 
-/// Writes postProcessing/<name>/<startTime>/fluidVolume.dat: time, volume, mass, its relative change since
+/// Writes postProcessing/<name>/<startTime>/fluidVolume.dat: time, volume, mass (that of the volume without compression), its relative change since
 /// the first time of the case, one column per cause of the ledger, their sum, and what the sum leaves
 /// unexplained. The density is that of constant/materials.
 template <int Dim>

@@ -75,7 +75,7 @@ std::vector<double> passedOn(const std::vector<double>& old, const std::vector<i
 
 template <int Dim>
 void countAppeared(State<Dim>& state) {
-    for (const char* cause : {"solver", "correction", "surface", "released", "landed", "returned", "contact", "stretched",
+    for (const char* cause : {"solver", "correction", "compression", "surface", "released", "landed", "returned", "contact", "stretched",
                               "reshaped", "isolated"})
         state.appeared[cause].assign(state.nodes.size(), 0.0);
 }

@@ -3,7 +3,7 @@
 // fluid or give it; each node remembers what its surroundings lack (Nodes::lostVolume), and the continuity
 // equation returns it there within `volumeReturnTime`. At all times, to round-off,
 //
-//     sum of cells + sum of dropVolume + sum of lostVolume = initial volume.
+//     sum of cells + sum of dropVolume + sum of lostVolume = initial volume + ledger's `compression`.
 
 #include "mesh/adjacency.hpp"
 #include "remesh/connectivity.hpp"

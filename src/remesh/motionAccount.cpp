@@ -17,16 +17,23 @@ void MotionAccount<Dim>::book(const std::string& cause, State<Dim>& state) {
 }
 
 template <int Dim>
-void MotionAccount<Dim>::bookSolver(const std::vector<double>& returned, State<Dim>& state) {
-    const double correction = std::accumulate(returned.begin(), returned.end(), 0.0);
-    state.ledger["correction"] += correction;
-    state.ledger["solver"] += change("solver", state) - correction;
-    if (x_.empty()) return;
-    auto &solver = state.appeared.at("solver"), &corrected = state.appeared.at("correction");
-    for (std::size_t i = 0; i < returned.size(); ++i) {
-        solver[i] -= returned[i];
-        corrected[i] += returned[i];
+void MotionAccount<Dim>::bookSolver(const std::vector<double>& returned, const std::vector<double>& compressed,
+                                    State<Dim>& state) {
+    const double correction = bookPart("correction", returned, state), compression = bookPart("compression", compressed, state);
+    state.ledger["solver"] += change("solver", state) - correction - compression;
+}
+
+template <int Dim>
+double MotionAccount<Dim>::bookPart(const std::string& cause, const std::vector<double>& amounts, State<Dim>& state) {
+    const double sum = std::accumulate(amounts.begin(), amounts.end(), 0.0);
+    state.ledger[cause] += sum;
+    if (x_.empty()) return sum;
+    auto &solver = state.appeared.at("solver"), &field = state.appeared.at(cause);
+    for (std::size_t i = 0; i < amounts.size(); ++i) {
+        solver[i] -= amounts[i];
+        field[i] += amounts[i];
     }
+    return sum;
 }
 
 template <int Dim>

@@ -15,10 +15,13 @@ public:
     /// What has changed since the last call (or the start).
     void book(const std::string& cause, State<Dim>& state);
 
-    /// The same of the solver; `returned`, per node, belongs to the cause `correction`.
-    void bookSolver(const std::vector<double>& returned, State<Dim>& state);
+    /// The same of the solver. Parts of it, per node, belong to causes of their own: `returned` to `correction`, `compressed` to
+    /// `compression`.
+    void bookSolver(const std::vector<double>& returned, const std::vector<double>& compressed, State<Dim>& state);
 
 private:
+    /// From the cause `solver` to another one.
+    double bookPart(const std::string& cause, const std::vector<double>& amounts, State<Dim>& state);
     /// The change of all cells; to the cause's field, too.
     double change(const std::string& cause, State<Dim>& state);
 

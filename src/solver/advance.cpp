@@ -4,6 +4,7 @@
 #include <chrono>
 #include <limits>
 
+#include "continuity/compression.hpp"
 #include "continuity/residual.hpp"
 #include "mesh/standing.hpp"
 #include "remesh/giveWay.hpp"
@@ -30,7 +31,8 @@ double volumeCorrection(const State<Dim>& state, double time, double dt) {
     if (time == 0) return 0;
     const double volume = totalVolume<Dim>(state);
     double change = 0;
-    for (const auto& [cause, amount] : state.ledger) change += amount;
+    for (const auto& [cause, amount] : state.ledger)
+        if (cause != "compression") change += amount;
     return volume > 0 ? -change / (volume * std::max(time, dt)) : 0;
 }
 
@@ -121,11 +123,12 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
     const auto returned = returnedVolume<Dim>(
         topology, state, report.dt * volumeReturnRate(controls.continuity, report.dt), report.dt * divTarget);
     state.energy["volume"] += volumeEnergy<Dim>(problem, state.mesh.fluid, state.nodes, result.nodes, returned);
+    const auto compressed = compressedVolume<Dim>(problem, state.mesh.fluid, topology.fluid, result.nodes, state.nodes.p);
     const Points<Dim> xOld = std::move(state.nodes.x);
     state.nodes = std::move(result.nodes);
     state.mesh.solid.sigma = std::move(result.cellSigma);
 
-    account.bookSolver(returned, state);
+    account.bookSolver(returned, compressed, state);
     const double stepped = now();
     report.seconds[0] += stepped - start;
     const double energy = fluidEnergy<Dim>(problem, state).total();
@@ -141,6 +144,7 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
         report.returned = returnPenetrating<Dim>(topology, controls.remeshing.wallDistance, state);
         if (!state.mesh.solid.nodes.empty()) account.book("returned", state);
         const auto& cells = state.mesh.fluid.nodes;
+        for (int i = 0; i < state.nodes.size(); ++i) state.nodes.lostVolume[i] += compressed[i];  // is not lost
         chargeMotion<Dim>(topology.fluid, cells, xOld, state.nodes);
         const bool wallsChanged = wallsOld != state.nodes.wall || report.returned > 0;
         if (wallsChanged || isDistorted(controls.remeshing.distortion, state.nodes.x, cells)) {

@@ -34,13 +34,15 @@ std::string stepLines(const AdvanceReport& report, const State<Dim>& state, doub
     text += solve("U", s.initialU, s.finalU, s.iterations) + solve("p", s.initialP, s.finalP, s.iterations);
     text += fmt::format("Mesh: {} nodes, {} fluid triangles, removed {}, inserted {}, returned {}\n", state.nodes.size(),
                         state.mesh.fluid.size(), report.mesh.removed, report.mesh.inserted, report.returned);
-    double raw = 0;
-    for (const auto& [cause, amount] : state.ledger)
-        if (cause != "correction") raw += amount;
+    double change = 0, correction = 0;
+    for (const auto& [cause, amount] : state.ledger) {
+        if (cause != "compression") change += amount;
+        if (cause == "correction") correction = amount;
+    }
     const double volume = totalVolume<Dim>(state);
     if (firstVolume > 0)  // a case may have solids only
         text += fmt::format("Fluid volume = {:.6g}, change = {:.3g} %, raw = {:.3g} %\n", volume,
-                            100 * (volume / firstVolume - 1), 100 * raw / firstVolume);
+                            100 * change / firstVolume, 100 * (change - correction) / firstVolume);
     return text;
 }
 

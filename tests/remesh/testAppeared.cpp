@@ -137,7 +137,7 @@ TEST(Appeared, writtenWhenAskedFor) {
     countAppeared(c.state);
     advanceTo(c, 0.01);
     const auto fields = outputFields(c.problem, c.state).ofFluid;
-    EXPECT_EQ(fields.size(), 10u);
+    EXPECT_EQ(fields.size(), 11u);
     ASSERT_EQ(fields.count("ledgerSolver"), 1u);
     EXPECT_EQ(fields.at("ledgerSolver"), c.state.appeared.at("solver"));
     const auto wanted = [](const std::string& entries) {
