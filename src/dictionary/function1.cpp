@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "dictionary/function1Types.hpp"
 
@@ -57,21 +59,60 @@ Function1Ptr<T> readBlock(const Dictionary& dict) {
     return std::make_shared<Wave<T>>(readWave<T>(dict, type == "square"));
 }
 
+double sizeOf(double x) { return std::abs(x); }
+double sizeOf(const Eigen::Vector3d& x) { return x.norm(); }
+
+/// A derivative by differences, and by how much the function varies where they look.
+template <class T>
+struct Difference {
+    T slope;
+    double variation;
+};
+
+/// Of fourth order; forward ones next to t = 0, for formulas need not make sense before. Nothing where they would reach beyond the
+/// places in which the function makes sense.
+template <class T>
+std::optional<Difference<T>> difference(const Function1<T>& f, double t, double step) {
+    try {
+        const T here = f.value(t);
+        const auto change = [&](int k) { return T(f.value(t + k * step) - here); };
+        const bool forward = t >= 0 && t < 2 * step;
+        const T a = change(forward ? 1 : -2), b = change(forward ? 2 : -1), c = change(forward ? 3 : 1), d = change(forward ? 4 : 2);
+        const T sum = forward ? T(48 * a - 36 * b + 16 * c - 3 * d) : T(a - 8 * b + 8 * c - d);
+        return Difference<T>{sum / (12 * step), std::max({sizeOf(a), sizeOf(b), sizeOf(c), sizeOf(d)})};
+    } catch (const UserError&) {
+        return {};
+    }
+}
+
 }  // namespace
 
 std::vector<std::string> function1Types() {
     return {"constant", "expression", "polynomial", "scale", "sine", "square", "table", "tableFile"};
 }
 
+// Nothing says how fast the function changes, in which unit of time: of steps that become shorter and shorter the one is taken at
+// which two that follow each other agree best, in parts of what the function's variation there allows. Longer ones miss the
+// function's turns, shorter ones drown in round-off.
 template <class T>
 T Function1<T>::derivative(double t) const {
-    const double step = 1e-5 * std::max(1.0, std::sqrt(std::abs(t)));
-    if (t >= 0 && t < 2 * step) {  // formulas need not make sense before t = 0
-        const T first = -25 * value(t) + 48 * value(t + step) - 36 * value(t + 2 * step);
-        return (first + 16 * value(t + 3 * step) - 3 * value(t + 4 * step)) / (12 * step);
+    T best = 0 * value(t), last = best;
+    double least = std::numeric_limits<double>::infinity();
+    bool first = true;
+    for (double step = 0.0314 * std::max(1.0, 1e-3 * std::abs(t)); step > 1e-13 * std::max(1e-6, std::abs(t)); step *= 0.12) {
+        const auto now = difference(*this, t, step);
+        if (!now) continue;
+        if (now->variation == 0) return 0 * best;
+        const double doubt = first ? least : sizeOf(T(now->slope - last)) * step / now->variation;
+        if (doubt < least) {
+            least = doubt;
+            best = now->slope;
+        }
+        if (least < 1e-6 && doubt > 30 * least) break;
+        last = now->slope;
+        first = false;
     }
-    const T near = value(t + step) - value(t - step), far = value(t + 2 * step) - value(t - 2 * step);
-    return (8 * near - far) / (12 * step);
+    return best;
 }
 
 template <class T>

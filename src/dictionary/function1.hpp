@@ -24,7 +24,7 @@ class Function1 {
 public:
     virtual ~Function1() = default;
     virtual T value(double t) const = 0;
-    /// df/dt; of the piece that follows where it jumps. The base class takes differences of fourth order.
+    /// df/dt; of the piece that follows where it jumps. The base class takes differences.
     virtual T derivative(double t) const;
     /// Integral of f over [from, to]. The base class sums Gauss points.
     virtual T integral(double from, double to) const;

@@ -1,5 +1,6 @@
 // Functions of time: value, derivative and integral of every type against closed forms; mistakes with their line.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -44,6 +45,19 @@ TEST(Function1, polynomial) {
         expectFunction(entry, [](double t) { return 3 - 2 * t + 0.5 * t * t * t; },
                        [](double t) { return -2 + 1.5 * t * t; },
                        [](double t) { return 3 * t - t * t + 0.125 * t * t * t * t; }, 1e-10);
+}
+
+TEST(Function1, derivativeOfFormulasInAllUnitsOfTime) {
+    for (const double unit : {1e-9, 1e-6, 1e-3, 1.0, 60.0, 3600.0, 1e6})  // of a sine with this period
+        for (const double turns : {0.0, 0.1, 0.73, 12.4, 1000.3}) {
+            const double w = 2 * pi / unit, t = turns * unit;
+            const auto f = scalar("expression \"0.3*sin(2*pi*t/" + fmt::format("{:g}", unit) + ")\";");
+            EXPECT_NEAR(f->derivative(t), 0.3 * w * std::cos(2 * pi * turns), 1e-6 * w) << unit << " " << turns;
+        }
+    EXPECT_NEAR(scalar("expression \"sqrt(1 - t)\";")->derivative(0.99), -5, 1e-6);  // no value after t = 1
+    EXPECT_NEAR(scalar("expression \"min(t, 0.5)\";")->derivative(0.5 + 1e-4), 0, 1e-12);
+    EXPECT_NEAR(scalar("expression \"3*t\";")->derivative(7), 3, 1e-11);
+    EXPECT_EQ(scalar("expression \"4\";")->derivative(7), 0);
 }
 
 TEST(Function1, expression) {
