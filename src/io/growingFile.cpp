@@ -76,8 +76,12 @@ void GrowingFile::write(const std::string& text) {
     left_ = stampOf(name_);
 }
 
+bool GrowingFile::isLeft() const {
+    return left_ && stampOf(name_) == left_;
+}
+
 bool GrowingFile::append(const std::string& entry) {
-    if (!left_ || stampOf(name_) != left_) return false;
+    if (!isLeft()) return false;
     if (!twinLeft_ || stampOf(twin_) != twinLeft_) makeTwin();
     const auto size = static_cast<off_t>(end_.size());
     if (const int error = overwrite(twin_, twinLeft_->size - size, lacking_ + entry + end_); error != 0) {

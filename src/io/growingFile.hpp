@@ -24,6 +24,9 @@ public:
     /// Replace the file by `text` and the last lines. Throws UserError, as writeAtomically() does.
     void write(const std::string& text);
 
+    /// Is the file the one that was left here?
+    bool isLeft() const;
+
     /// Add `entry` before the last lines. Returns false, and has done nothing, when the file is not the one that was left here
     /// (somebody has replaced or changed it, it is a link, nothing was written). Throws UserError; the file is whole then, too.
     bool append(const std::string& entry);

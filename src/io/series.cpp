@@ -85,9 +85,20 @@ bool Series::append(const TimeFolder& time) {
            solid_.append(seriesEntry(time, parts[1], first)) && boundary_.append(seriesEntry(time, parts[2], first));
 }
 
+/// A folder of this name is listed, and the lists are what was left here: a run that is done again replaces its folders.
+bool Series::holds(const TimeFolder& time) const {
+    const auto at = std::lower_bound(times_.begin(), times_.end(), time.value,
+                                     [](const TimeFolder& other, double value) { return other.value < value; });
+    return at != times_.end() && at->name == time.name && collection_.isLeft() && fluid_.isLeft() && solid_.isLeft() && boundary_.isLeft();
+}
+
 void Series::add(const std::string& name) {
     constexpr std::size_t few = 100;
     const TimeFolder time{name, asNumber(name).value_or(0)};
+    if (rootChanged_ && holds(time)) {
+        rootChanged_ = changeOf(root_);
+        return;
+    }
     const bool last = times_.empty() || times_.back().value < time.value;
     const bool known = rootChanged_.has_value() && last && added_ < std::max(few, times_.size() / 2);
     rootChanged_.reset();  // until all is written

@@ -28,6 +28,7 @@ public:
 
 private:
     bool append(const TimeFolder& time);
+    bool holds(const TimeFolder& time) const;
 
     std::filesystem::path root_;
     GrowingFile collection_, fluid_, solid_, boundary_;

@@ -93,6 +93,19 @@ TEST(Series, AFolderCostsTheSameHoweverManyThereAre) {
     }
     EXPECT_EQ(costs[0], costs[1]);
     EXPECT_LT(costs[1], 2000);
+
+    const TemporaryFolder folder;
+    for (int k = 0; k < 50; ++k) makeTime(folder.path(), nameOf(k));
+    Series series(folder.path());
+    series.write();
+    for (int k = 7; k < 9; ++k) {  // a run that is done again
+        series.look();
+        makeTime(folder.path(), nameOf(k));
+        const long before = bytesWritten();
+        series.add(nameOf(k));
+        EXPECT_EQ(bytesWritten(), before);
+    }
+    expectTrue(folder.path(), "done again");
 }
 
 TEST(Series, TheRootIsLookedThroughOnlyWhenItHasChanged) {
