@@ -65,7 +65,7 @@ int run(const Options& options) {
     if (state.time.index == 0) recorder.start(controls, state, clock.deltaT(state.time));
     functions.start(state);
 
-    if (!clock.running(state.time) && clock.controls().endTime <= state.time.value)
+    if (clock.ended(state.time))
         std::cerr << "--> PFEM Warning: nothing to do: endTime is not after the start at " << state.time.value << " s\n";
     std::cout << "Starting time loop\n\n" << std::flush;
     RunSummary summary;
@@ -73,7 +73,7 @@ int run(const Options& options) {
     const double clockStart = clockNow(), timeStart = state.time.value;
     while (clock.running(state.time)) {
         const CourantRate rate = courantRate(state);
-        const double dt = clock.deltaT(state.time, rate.largest, rate.relative, rate.compression);
+        const double dt = clock.deltaT(state.time, {.courant = rate.largest, .relative = rate.relative, .compression = rate.compression});
         const AdvanceReport report = recorder.advance(controls, triangulator, state, dt);
         state.time = clock.advance(state.time, report.dt);
         summary.add(report, state.mesh.fluid.size() + state.mesh.solid.size());

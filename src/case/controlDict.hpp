@@ -41,8 +41,8 @@ struct ControlDict {
         v("startTime", startTime, "s", "where a run begins with startFrom startTime");
         v("stopAt", stopAt, "-", "when to stop; may be changed while the run goes on",
           oneOf({"endTime", "writeNow", "noWriteNow", "nextWrite"}));
-        v.required("endTime", endTime, "s", "end of the run");
-        v.required("deltaT", deltaT, "s", "time step; with adjustTimeStep the first one", positive);
+        v.required("endTime", endTime, "s", "end of the run; the last step is shortened where it would pass it");
+        v.required("deltaT", deltaT, "s", "time step, also after a restart with another value; with adjustTimeStep the first one of the case", positive);
         v("writeControl", writeControl, "-",
           "what writeInterval means; adjustable: steps end exactly on the write times",
           oneOf(WriteControl::modes()));
@@ -64,8 +64,8 @@ struct ControlDict {
         v("maxCompression", maxCompression, "-",
           "largest -div v deltaT of a triangle, the part of its area that it would lose by its velocities: of the fluid, and of "
           "the air between surfaces that are about to meet", positive);
-        v("maxGrowth", maxGrowth, "-", "largest ratio of a step to the one before", atLeast(1.0));
-        v("maxDeltaT", maxDeltaT, "s", "largest time step", positive);
+        v("maxGrowth", maxGrowth, "-", "adjustTimeStep: largest ratio of a step to the one before", atLeast(1.0));
+        v("maxDeltaT", maxDeltaT, "s", "adjustTimeStep: largest time step", positive);
     }
 };
 

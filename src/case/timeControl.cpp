@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <iostream>
 #include <limits>
 
@@ -17,6 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double sameTime = 1e-6;  // of a step: nearer than this means equal
+constexpr double stretch = 0.01;   // of a step: so much longer it may be to end on a wanted time
 
 /// The folder that startFrom asks for.
 std::string chooseStart(const Case& theCase, const ControlDict& controls) {
@@ -76,43 +76,53 @@ TimeControl::TimeControl(const Case& theCase)
                   << file_.string() << "\n";
 }
 
-/// Steps may be shortened to end on a wanted time.
-bool TimeControl::fitted() const {
-    return controls_.adjustTimeStep || write_.adjustable();
+/// Steps of one length, counted from 0: neither by the flow nor by the write times.
+bool TimeControl::fixed() const {
+    return !controls_.adjustTimeStep && !write_.adjustable();
 }
 
-/// The next time that a step must not jump over.
-double TimeControl::target(const TimeInfo& time) const {
-    if (!fitted()) return std::numeric_limits<double>::infinity();
-    const double end =
-        time.value < controls_.endTime ? controls_.endTime : std::numeric_limits<double>::infinity();
-    return write_.adjustable() ? std::min(write_.next(time), end) : end;
+/// The longest step that the limits of controlDict allow.
+double TimeControl::longest(const TimeInfo& time, const StepRates& rates) const {
+    if (!controls_.adjustTimeStep) return controls_.deltaT;
+    const bool first = time.index == 0 || !(time.deltaT0 > 0);
+    double dt = std::min(first ? controls_.deltaT : controls_.maxGrowth * time.deltaT0, controls_.maxDeltaT);
+    const auto limit = [&](double most, double rate) {
+        if (rate > 0) dt = std::min(dt, most / rate);
+    };
+    limit(controls_.maxCo, rates.courant);
+    limit(controls_.maxRelativeCo, rates.relative);
+    limit(controls_.maxCompression, rates.compression);
+    return dt;
 }
 
+/// The next time that a step of length dt must not jump over. A fixed step that was cut (rejected, or by an end of the run)
+/// is made up for: the next time is a multiple of deltaT again.
+double TimeControl::target(const TimeInfo& time, double dt) const {
+    constexpr double never = std::numeric_limits<double>::infinity();
+    const double end = time.value < controls_.endTime ? controls_.endTime : never;
+    if (write_.adjustable()) return std::min(write_.next(time), end);
+    if (!fixed()) return end;
+    const double nearEnd = end - time.value < (1 + stretch) * dt ? end : never;
+    const bool cut = time.deltaT == controls_.deltaT && time.deltaT0 < (1 - sameTime) * time.deltaT;
+    if (!cut) return nearEnd;
+    return std::min(nearEnd, asWritten((std::floor(time.value / controls_.deltaT + 0.1) + 1) * controls_.deltaT));
+}
+
+/// Nothing is left of the step to come.
 bool TimeControl::ended(const TimeInfo& time) const {
-    const double step = time.deltaT > 0 ? time.deltaT : controls_.deltaT;
-    return time.value >= controls_.endTime - (fitted() ? sameTime : 0.5) * step;
+    return time.value >= controls_.endTime - sameTime * longest(time, {});
 }
 
 bool TimeControl::running(const TimeInfo& time) const {
     return !stop_ && !ended(time);
 }
 
-double TimeControl::deltaT(const TimeInfo& time, double courantRate, double relativeRate, double compressionRate) const {
-    const bool first = time.index == 0 || !(time.deltaT > 0);
-    double dt = first ? controls_.deltaT : controls_.maxGrowth * time.deltaT;
-    if (controls_.adjustTimeStep) {
-        dt = std::min(dt, controls_.maxDeltaT);
-        if (courantRate > 0) dt = std::min(dt, controls_.maxCo / courantRate);
-        if (relativeRate > 0) dt = std::min(dt, controls_.maxRelativeCo / relativeRate);
-        if (compressionRate > 0) dt = std::min(dt, controls_.maxCompression / compressionRate);
-    } else {
-        dt = std::min(dt, controls_.deltaT);
-    }
-    const double left = target(time) - time.value;
+double TimeControl::deltaT(const TimeInfo& time, const StepRates& rates) const {
+    const double dt = longest(time, rates);
+    const double left = target(time, dt) - time.value;
     const double steps = left / dt;
     if (!(steps < 1e9)) return dt;
-    const double n = std::max(1.0, std::floor(steps + 0.99));
+    const double n = std::max(1.0, std::floor(steps + 1 - stretch));
     const double even = left / n;
     return std::abs(even - dt) <= sameTime * dt ? dt : even;  // keep dt's bits while rounding alone differs
 }
@@ -120,12 +130,12 @@ double TimeControl::deltaT(const TimeInfo& time, double courantRate, double rela
 TimeInfo TimeControl::advance(const TimeInfo& time, double dt) const {
     TimeInfo next = time;
     next.value = time.value + dt;
-    const double multiple = std::round(next.value / controls_.deltaT) * controls_.deltaT;
+    const double multiple = asWritten(std::round(next.value / controls_.deltaT) * controls_.deltaT);
     if (!controls_.adjustTimeStep && std::abs(next.value - multiple) <= sameTime * dt) next.value = multiple;
-    const double wanted = target(time);
+    const double wanted = target(time, longest(time, {}));
     if (std::abs(next.value - wanted) <= sameTime * dt) next.value = wanted;
     next.index = time.index + 1;
-    next.deltaT = dt;
+    next.deltaT = fixed() ? std::max(dt, controls_.deltaT) : dt;
     next.deltaT0 = dt;
     return next;
 }
@@ -153,9 +163,8 @@ void TimeControl::readAgainIfChanged() {
         write_ = writeControlOf(controls);
         const std::string changes = differences(flatEntries(dict_), flatEntries(dict));
         std::cout << "Re-reading " << file_.string() << "\n" << changes;
-        for (const char* key : {"functions.", "startFrom:", "startTime:", "writePrecision:", "libs:"})
-            if (changes.find("    " + std::string(key)) != std::string::npos)
-                std::cout << "    (" << std::string(key, std::strlen(key) - 1) << ": from the next start on)\n";
+        for (const std::string key : {"functions", "startFrom", "startTime", "writePrecision", "libs"})
+            if (changes.find("    " + key) != std::string::npos) std::cout << "    (" << key << ": from the next start on)\n";
         controls_ = controls;
         dict_ = std::move(dict);
     } catch (const UserError& error) {  // perhaps just being edited: a running job must not die of it

@@ -13,6 +13,13 @@
 
 namespace pfem {
 
+/// What the state says about the next step: rates whose product with it is limited [1/s]; 0 where there is nothing to limit.
+struct StepRates {
+    double courant = 0;      // largest |v|/h of the mesh: maxCo
+    double relative = 0;     // that of neighbours to each other: maxRelativeCo
+    double compression = 0;  // largest -div v: maxCompression
+};
+
 /// The clock has no time of its own: it answers for the TimeInfo it is given, so that a run restarted from
 /// a time folder takes the same steps as one that never stopped.
 class TimeControl {
@@ -31,11 +38,13 @@ public:
     /// Is there another step to do after `time`?
     bool running(const TimeInfo& time) const;
 
-    /// Length of the step that comes after `time` [s]: by deltaT, maxCo, maxDeltaT, at most maxGrowth times the
-    /// last one, and fitted so that the next write falls exactly on k*writeInterval. `courantRate`: the
-    /// largest |v|/h of the mesh, `relativeRate`: that of neighbours to each other, `compressionRate`: the largest -div v [1/s]; 0
-    /// when they do not matter.
-    double deltaT(const TimeInfo& time, double courantRate = 0, double relativeRate = 0, double compressionRate = 0) const;
+    /// Nothing is left until endTime.
+    bool ended(const TimeInfo& time) const;
+
+    /// Length of the step that comes after `time` [s]. Fixed steps (adjustTimeStep no) are as long as deltaT, whatever the step
+    /// before was; others are limited by `rates`, maxDeltaT and maxGrowth times the last one. Fitted so that the next write with
+    /// writeControl adjustable, and endTime, are met exactly.
+    double deltaT(const TimeInfo& time, const StepRates& rates = {}) const;
 
     /// The time after a step of length dt from `time`: rounded to the write time, the end time or a multiple
     /// of deltaT when it means one of them.
@@ -55,9 +64,9 @@ public:
 
 private:
     void readAgainIfChanged();
-    bool ended(const TimeInfo& time) const;
-    bool fitted() const;
-    double target(const TimeInfo& time) const;
+    bool fixed() const;
+    double longest(const TimeInfo& time, const StepRates& rates) const;
+    double target(const TimeInfo& time, double dt) const;
 
     std::filesystem::path root_, file_;
     std::filesystem::file_time_type readAt_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -11,14 +12,17 @@
 namespace pfem {
 
 namespace {
-constexpr double rounding = 1e-9;  // of an interval: times closer than this are the same
-
-/// The number that a user would write: 188 times 0.005 is 0.94, as in `endTime 0.94`, not 0.9400000000000001.
-/// Otherwise a run that ends there and goes on later would differ from an unbroken one in the last bit.
-double asWritten(double time) {
-    return std::strtod(fmt::format("{:.13g}", time).c_str(), nullptr);
+/// Whole intervals until `time`; what is missing by rounding alone is there.
+double intervals(double time, double interval) {
+    const double n = time / interval;
+    return std::floor(n + std::max(1e-9, 1e-15 * n));
 }
 }  // namespace
+
+double asWritten(double time) {
+    const double written = std::strtod(fmt::format("{:.13g}", time).c_str(), nullptr);
+    return std::abs(written - time) <= 4e-16 * std::abs(time) ? written : time;
+}
 
 const std::vector<std::string>& WriteControl::modes() {
     static const std::vector<std::string> words{"timeStep", "runTime", "adjustable", "adjustableRunTime",
@@ -46,14 +50,12 @@ WriteControl::WriteControl(const std::string& mode, double interval) : interval_
 bool WriteControl::due(const TimeInfo& time) const {
     if (mode_ == Mode::none) return false;
     if (mode_ == Mode::timeStep) return time.index % static_cast<int>(interval_) == 0;
-    const double now = std::floor(time.value / interval_ + rounding);
-    const double before = std::floor((time.value - time.deltaT0) / interval_ + rounding);
-    return time.index == 0 || now > before;
+    return time.index == 0 || intervals(time.value, interval_) > intervals(time.value - time.deltaT0, interval_);
 }
 
 double WriteControl::next(const TimeInfo& time) const {
     if (mode_ == Mode::none || mode_ == Mode::timeStep) return std::numeric_limits<double>::infinity();
-    return asWritten((std::floor(time.value / interval_ + rounding) + 1.0) * interval_);
+    return asWritten((intervals(time.value, interval_) + 1) * interval_);
 }
 
 }  // namespace pfem

@@ -41,7 +41,7 @@ struct Nodes {
 struct TimeInfo {
     double value = 0;    // [s]
     int index = 0;       // steps since the start
-    double deltaT = 0;   // the step that comes next [s]
+    double deltaT = 0;   // the step that led here [s]; of fixed steps what it should have been: longer when it was cut
     double deltaT0 = 0;  // the step that led here [s]
 };
 

@@ -40,7 +40,7 @@ std::vector<std::string> run(TimeControl& control, TimeInfo& time, double couran
     std::vector<std::string> names;
     for (int steps = 0; control.running(time); ++steps) {
         if (steps > 100000) throw InternalError("endless");
-        time = control.advance(time, control.deltaT(time, courantRate));
+        time = control.advance(time, control.deltaT(time, {.courant = courantRate}));
         if (control.writeDue(time)) {
             names.push_back(control.name(time));
             control.written(time);
@@ -81,7 +81,7 @@ TEST_F(TimeControlTest, AdjustableWritesFallExactlyOnMultiples) {
     TimeInfo time;
     int k = 0;
     while (control.running(time)) {
-        const double dt = control.deltaT(time, 0);
+        const double dt = control.deltaT(time);
         EXPECT_LE(dt, 0.0303001);
         if (time.index > 0) {
             EXPECT_LE(dt, 1.2 * 1.011 * time.deltaT0);
@@ -102,7 +102,7 @@ TEST_F(TimeControlTest, EndingAtAWriteTimeOrPassingItIsTheSame) {
               "; deltaT 0.001; writeControl adjustable; writeInterval 0.005; adjustTimeStep yes;");
         TimeControl control = open();
         TimeInfo time;
-        while (time.value < 0.9399) time = control.advance(time, control.deltaT(time, 0));
+        while (time.value < 0.9399) time = control.advance(time, control.deltaT(time));
         return time;
     };
     const TimeInfo ended = timeAfter("0.94"), passed = timeAfter("1");  // 188 * 0.005 is not 0.94 to the bit
@@ -128,22 +128,22 @@ TEST_F(TimeControlTest, CourantNumberLimitsTheStep) {
     write("endTime 1; deltaT 0.01; adjustTimeStep yes; maxCo 0.5; writeControl none;");
     TimeControl control = open();
     TimeInfo time;
-    EXPECT_NEAR(control.deltaT(time, 1000), 0.0005, 1e-18);  // at once
+    EXPECT_NEAR(control.deltaT(time, {.courant = 1000}), 0.0005, 1e-18);  // at once
     time = control.advance(time, 0.0005);
-    EXPECT_NEAR(control.deltaT(time, 1), 1.2 * 0.0005, 1e-6);  // growth damped
+    EXPECT_NEAR(control.deltaT(time, {.courant = 1}), 1.2 * 0.0005, 1e-6);  // growth damped
     EXPECT_EQ(time.deltaT0, 0.0005);
     write("endTime 1; deltaT 0.01; adjustTimeStep yes; maxCo 0.5; maxGrowth 3; writeControl none;");
-    EXPECT_NEAR(open().deltaT(time, 1), 3 * 0.0005, 2e-6);
+    EXPECT_NEAR(open().deltaT(time, {.courant = 1}), 3 * 0.0005, 2e-6);
 }
 
 TEST_F(TimeControlTest, RelativeVelocityAndCompressionLimitTheStep) {
     write("endTime 1; deltaT 0.01; adjustTimeStep yes; maxCo 10; maxRelativeCo 0.25; maxCompression 0.5; writeControl none;");
     TimeControl control = open();
     const TimeInfo time;
-    EXPECT_NEAR(control.deltaT(time, 1, 1000), 0.00025, 1e-18);
-    EXPECT_NEAR(control.deltaT(time, 1, 1, 1000), 0.0005, 1e-18);
-    EXPECT_NEAR(control.deltaT(time, 1, 1000, 1000), 0.00025, 1e-18);  // the smaller one
-    EXPECT_NEAR(control.deltaT(time, 1, 1, 1), 0.01, 1e-18);
+    EXPECT_NEAR(control.deltaT(time, {1, 1000}), 0.00025, 1e-18);
+    EXPECT_NEAR(control.deltaT(time, {1, 1, 1000}), 0.0005, 1e-18);
+    EXPECT_NEAR(control.deltaT(time, {1, 1000, 1000}), 0.00025, 1e-18);  // the smaller one
+    EXPECT_NEAR(control.deltaT(time, {1, 1, 1}), 0.01, 1e-18);
 }
 
 TEST_F(TimeControlTest, ARejectedStepStillMeetsTheWriteTime) {
@@ -168,17 +168,178 @@ TEST_F(TimeControlTest, RestartTakesTheSameSteps) {
     TimeControl whole = open();
     std::vector<TimeInfo> all{TimeInfo{}};
     while (whole.running(all.back()))
-        all.push_back(whole.advance(all.back(), whole.deltaT(all.back(), rate(all.back()))));
+        all.push_back(whole.advance(all.back(), whole.deltaT(all.back(), {.courant = rate(all.back())})));
     for (std::size_t from = 0; from < all.size(); from += 7) {
         TimeControl restarted = open();
         TimeInfo time = all[from];
         for (std::size_t i = from + 1; i < all.size(); ++i) {
-            time = restarted.advance(time, restarted.deltaT(time, rate(time)));
+            time = restarted.advance(time, restarted.deltaT(time, {.courant = rate(time)}));
             ASSERT_EQ(time.value, all[i].value);
             ASSERT_EQ(time.deltaT, all[i].deltaT);
             ASSERT_EQ(restarted.writeDue(time), whole.writeDue(all[i]));
         }
         EXPECT_FALSE(restarted.running(time));
+    }
+}
+
+TEST_F(TimeControlTest, OtherControlsAtARestart) {
+    struct Change {
+        std::string before, after;
+        double rate;  // of the second run [1/s]
+        int steps;    // of the second run
+        double first, last;
+        std::string names;  // of its folders
+    };
+    const std::string fixed = "adjustTimeStep no; writeControl runTime; ", free = "adjustTimeStep yes; writeControl adjustable; ";
+    const std::string fixed1ms = fixed + "deltaT 1e-3; writeInterval 5e-3; endTime 0.02;";
+    const std::string free1ms = free + "deltaT 1e-3; maxDeltaT 1e-3; writeInterval 5e-3; endTime 0.02;";
+    const std::string fitted1ms = "writeControl adjustable; deltaT 1e-3; writeInterval 5e-3; endTime 0.02;";
+    const Change changes[] = {
+        // deltaT of fixed steps
+        {fixed1ms, fixed + "deltaT 1e-5; writeInterval 1e-4; endTime 0.0204;", 0, 40, 1e-5, 1e-5, "0.0201 0.0202 0.0203 0.0204"},
+        {fixed1ms, fixed + "deltaT 1e-8; writeInterval 1; endTime 0.02000003;", 0, 3, 1e-8, 1e-8, "0.02000003"},
+        {fixed1ms, fixed + "deltaT 0.01; writeInterval 0.02; endTime 0.05;", 0, 3, 0.01, 0.01, "0.04 0.05"},
+        {fixed1ms, fixed + "deltaT 7e-4; writeInterval 7e-3; endTime 0.027;", 0, 10, 7e-4, 7e-4, "0.0214 0.027"},
+        {fixed1ms, fitted1ms + "deltaT 1e-4; endTime 0.021;", 0, 10, 1e-4, 1e-4, "0.021"},
+        {fitted1ms, fitted1ms + "deltaT 5e-3; endTime 0.03;", 0, 2, 5e-3, 5e-3, "0.025 0.03"},
+        // endTime
+        {fixed1ms, fixed1ms + "endTime 0.0204;", 0, 1, 4e-4, 4e-4, "0.0204"},
+        {fixed1ms, fixed1ms + "endTime 0.0225;", 0, 3, 1e-3, 5e-4, "0.0225"},
+        {fixed1ms, fixed1ms + "endTime 0.02000001;", 0, 1, 1e-8, 1e-8, "0.02000001"},
+        {fixed1ms, fixed1ms + "endTime 0.02;", 0, 0, 0, 0, ""},
+        {fixed1ms, fixed1ms + "endTime 0.01;", 0, 0, 0, 0, ""},
+        {fixed1ms + "endTime 0.0175;", fixed1ms + "endTime 0.03;", 0, 13, 5e-4, 1e-3, "0.02 0.025 0.03"},  // on the grid again
+        {free1ms, free1ms + "endTime 0.0202;", 0, 1, 2e-4, 2e-4, "0.0202"},
+        {free1ms, free1ms + "endTime 0.027;", 0, 7, 1e-3, 1e-3, "0.025 0.027"},
+        // writeInterval and writeControl
+        {fixed1ms, fixed1ms + "writeInterval 2e-3; endTime 0.026;", 0, 6, 1e-3, 1e-3, "0.022 0.024 0.026"},
+        {free1ms, free1ms + "writeInterval 3e-3; endTime 0.03;", 0, 10, 1e-3, 1e-3, "0.021 0.024 0.027 0.03"},
+        {free1ms, free1ms + "writeInterval 25e-3; endTime 0.03;", 0, 10, 1e-3, 1e-3, "0.025 0.03"},
+        {fixed1ms, fixed1ms + "writeControl timeStep; writeInterval 8; endTime 0.03;", 0, 10, 1e-3, 1e-3, "0.024 0.03"},
+        {fixed1ms, fixed1ms + "writeControl adjustable; writeInterval 25e-4; endTime 0.025;", 0, 6, 25e-4 / 3, 25e-4 / 3,
+         "0.0225 0.025"},
+        {fitted1ms + "writeInterval 25e-4;", fixed1ms + "endTime 0.025;", 0, 5, 1e-3, 1e-3, "0.025"},
+        {fixed1ms, fixed1ms + "writeControl none; endTime 0.03;", 0, 10, 1e-3, 1e-3, "0.03"},
+        // adjustTimeStep, with the limits of either
+        {free1ms, fixed1ms + "endTime 0.03;", 1e6, 10, 1e-3, 1e-3, "0.025 0.03"},
+        {free1ms + "maxDeltaT 1e-5;", fixed1ms + "endTime 0.03;", 0, 10, 1e-3, 1e-3, "0.025 0.03"},
+        {fixed1ms + "deltaT 1e-4;", free1ms + "endTime 0.025;", 0, 15, 12e-5, 0, "0.025"},  // grows by maxGrowth
+        {fixed1ms, free1ms + "endTime 0.025; maxDeltaT 1e-4;", 0, 50, 1e-4, 1e-4, "0.025"},
+        {free1ms, free1ms + "endTime 0.025; maxDeltaT 1e-4;", 0, 50, 1e-4, 1e-4, "0.025"},
+        {free1ms, free1ms + "endTime 0.025; maxCo 0.1;", 500, 25, 2e-4, 2e-4, "0.025"},
+        {free1ms + "maxDeltaT 2e-4;", free1ms + "endTime 0.025;", 0, 11, 24e-5, 0, "0.025"},
+        {free1ms, free1ms + "endTime 0.025; deltaT 1e-7;", 0, 5, 1e-3, 1e-3, "0.025"},  // deltaT is the case's first step only
+        // names
+        {fixed1ms, fixed1ms + "timePrecision 1; endTime 0.03;", 0, 10, 1e-3, 1e-3, "0.025 0.03"},
+        {fixed1ms, fixed1ms + "timePrecision 2; deltaT 1e-5; endTime 0.0201; writeInterval 5e-5;", 0, 10, 1e-5, 1e-5,
+         "0.02005 0.0201"},
+        {fixed1ms, fixed1ms + "timeFormat scientific; timePrecision 2; endTime 0.03;", 0, 10, 1e-3, 1e-3, "2.50e-02 3.00e-02"},
+    };
+    for (const auto& change : changes) {
+        TimeInfo time;
+        write(change.before);
+        TimeControl before = open();
+        run(before, time);
+        write(change.after);
+        TimeControl after = open();
+        const int index = time.index;
+        std::vector<double> steps;
+        std::string names;
+        while (after.running(time) && steps.size() < 1000) {
+            time = after.advance(time, after.deltaT(time, {.courant = change.rate}));
+            steps.push_back(time.deltaT0);
+            if (after.writeDue(time)) names += (names.empty() ? "" : " ") + after.name(time);
+        }
+        const std::string what = change.before + "\n    -> " + change.after;
+        EXPECT_EQ(time.index - index, change.steps) << what;
+        EXPECT_EQ(names, change.names) << what;
+        if (steps.empty() || change.steps == 0) continue;
+        EXPECT_NEAR(steps.front() / change.first, 1, 0.011) << what;
+        if (change.last > 0) {
+            EXPECT_NEAR(steps.back() / change.last, 1, 0.011) << what;
+        }
+        EXPECT_EQ(time.value, after.controls().endTime) << what;
+    }
+}
+
+TEST_F(TimeControlTest, OtherControlsWhileItRuns) {
+    const std::string rest = "endTime 0.02; writeControl runTime; writeInterval 5e-3; ";
+    write(rest + "deltaT 1e-3;");
+    TimeControl control = open();
+    TimeInfo time;
+    const auto until = [&](double end) {
+        std::string names;
+        while (control.running(time) && time.value < end - 1e-9) {
+            time = control.advance(time, control.deltaT(time, {.courant = 100}));
+            if (control.writeDue(time)) names += control.name(time) + " ";
+        }
+        return names;
+    };
+    const auto change = [&](const std::string& controls) {
+        write(controls);
+        control.writeDue(time);  // reads it again
+    };
+    EXPECT_EQ(until(0.006), "0.005 ");
+    change(rest + "deltaT 5e-4;");
+    EXPECT_EQ(until(0.012), "0.01 ");
+    EXPECT_EQ(time.index, 6 + 12);
+    change(rest + "deltaT 2e-3;");
+    EXPECT_EQ(until(0.014), "");
+    EXPECT_EQ(time.index, 6 + 12 + 1);
+    change(rest + "deltaT 1e-3; adjustTimeStep yes; maxCo 0.01;");  // 1e-4 s
+    EXPECT_EQ(until(0.015), "0.015 ");
+    EXPECT_EQ(time.index, 6 + 12 + 1 + 10);
+    change(rest + "deltaT 1e-3;");
+    EXPECT_EQ(control.deltaT(time), 1e-3);
+    change(rest + "deltaT 1e-3; endTime 0.0165; writeControl adjustable; writeInterval 1e-3;");
+    EXPECT_EQ(until(1), "0.016 0.0165 ");
+    EXPECT_EQ(time.value, 0.0165);
+}
+
+TEST_F(TimeControlTest, ARejectedFixedStepReturnsToTheGrid) {
+    write("endTime 0.02; deltaT 1e-3; writeControl runTime; writeInterval 5e-3;");
+    const auto names = [&](bool restarts) {
+        TimeControl control = open();
+        TimeInfo time;
+        std::string all;
+        for (int steps = 0; control.running(time) && steps < 1000; ++steps) {
+            double dt = control.deltaT(time);
+            if (steps == 3 || steps == 4) dt /= 8;  // the solver halved it three times
+            if (steps == 14) dt /= 2;
+            time = control.advance(time, dt);
+            if (control.writeDue(time)) all += control.name(time) + " ";
+            if (restarts) control = open();
+            if (steps > 20) {
+                EXPECT_EQ(time.deltaT0, 1e-3);
+            }
+        }
+        EXPECT_EQ(time.value, 0.02);
+        return all + std::to_string(time.index);
+    };
+    EXPECT_EQ(names(false), "0.005 0.01 0.015 0.02 23");
+    EXPECT_EQ(names(true), names(false));
+}
+
+TEST_F(TimeControlTest, EndingOnAFixedStepOrPassingItIsTheSame) {
+    const auto timeAfter = [&](const std::string& endTime) {
+        write("endTime " + endTime + "; deltaT 0.1; writeControl runTime; writeInterval 0.1;");
+        TimeControl control = open();
+        TimeInfo time;
+        while (time.value < 0.29) time = control.advance(time, control.deltaT(time));
+        return time.value;
+    };
+    EXPECT_EQ(timeAfter("0.3"), 0.3);
+    EXPECT_EQ(timeAfter("1"), 0.3);  // 3 * 0.1 is not 0.3 to the bit
+}
+
+TEST_F(TimeControlTest, TinyStepsLateAreNotRoundedAway) {
+    write("endTime 1001; deltaT 2e-9; writeControl adjustable; writeInterval 4e-9;");
+    TimeControl control = open();
+    TimeInfo time{1000, 1, 2e-9, 2e-9};
+    for (int k = 1; k <= 10; ++k) {
+        time = control.advance(time, control.deltaT(time));
+        EXPECT_NEAR(time.value - 1000, k * 2e-9, 3e-13);
+        EXPECT_EQ(control.writeDue(time), k % 2 == 0);
     }
 }
 

@@ -76,7 +76,7 @@ protected:
         Triangulator triangulator;
         recorder.start(controls, state, clock.deltaT(state.time));
         functions.start(state);
-        const auto report = recorder.advance(controls, triangulator, state, clock.deltaT(state.time, courantRate(state).largest));
+        const auto report = recorder.advance(controls, triangulator, state, clock.deltaT(state.time, {.courant = courantRate(state).largest}));
         state.time = clock.advance(state.time, report.dt);
         functions.execute(state);
         recorder.save(state);
