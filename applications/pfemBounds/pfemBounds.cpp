@@ -12,6 +12,7 @@
 #include "bounds/report.hpp"
 #include "bounds/runTwin.hpp"
 #include "case/interrupt.hpp"
+#include "functions/functionEntries.hpp"
 #include "io/atomicFile.hpp"
 
 using namespace pfem;
@@ -54,12 +55,10 @@ std::vector<std::string> functionNames(const Case& theCase, const Options& optio
     if (options.found("functions"))
         return optionValue<std::vector<std::string>>(options, "functions", "a list: '(tip)'");
     const Dictionary control = Dictionary::read(theCase.controlDict());
-    const Dictionary& functions = control.subDictOrEmpty("functions");
     std::vector<std::string> names;
-    for (const auto& name : functions.keys())
-        if (functions.isDict(name) && functions.subDict(name).get<std::string>("type", "") == "probes")
-            names.push_back(name);
-    if (names.empty()) throw UserError("no function of type probes: nothing to compare", functions.where());
+    for (const auto& entry : functionEntries(control))
+        if (entry.get<std::string>("type", "") == "probes") names.push_back(entry.keyword());
+    if (names.empty()) throw UserError("no function of type probes: nothing to compare", control.where("functions"));
     return names;
 }
 

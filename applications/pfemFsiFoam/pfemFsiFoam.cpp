@@ -80,9 +80,10 @@ int run(const Options& options) {
 
         std::cout << courantLines(rate, report.dt) << "Time = " << clock.name(state.time) << "\n\n"
                   << stepLines(report, state, firstVolume);
-        functions.execute(state);
+        const bool write = clock.writeDue(state.time);  // looks at controlDict first
+        functions.execute(state, [&](int n) { return clock.folderDue(state.time, n); });
         state.memory = functions.memory();
-        if (clock.writeDue(state.time)) {
+        if (write) {
             recorder.save(state);
             if (counting) countAppeared(state);
         }

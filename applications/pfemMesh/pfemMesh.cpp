@@ -15,6 +15,8 @@
 #include "mesher/meshFile.hpp"
 #include "mesher/meshReport.hpp"
 #include "mesher/readMeshDict.hpp"
+#include "momentum/boundaryConditions.hpp"
+#include "solver/checkProblem.hpp"
 
 using namespace pfem;
 
@@ -42,6 +44,20 @@ void warnOfLaterTimes(const Case& theCase) {
     if (times.back().value > 0)
         std::cerr << "--> PFEM Warning: the case has results of an older mesh, up to time " << times.back().name
                   << ": remove these folders (./Allclean), or the solver goes on from the latest\n";
+}
+
+/// What the solver would say of the patches' conditions, as soon as there are patches. The mesh itself is sound.
+void checkConditions(const Case& theCase, const State<2>& state) {
+    const auto file = theCase.constant("boundaryConditions");
+    if (!std::filesystem::exists(file)) return;
+    try {
+        const Dictionary dict = Dictionary::read(file);
+        pfem::checkConditions<2>(dict, readBoundaryConditions<2>(dict, state.mesh.patches), state);
+        warnUnused(dict, std::cerr);
+    } catch (const UserError& error) {
+        std::cerr << "--> PFEM Warning: pfemFsiFoam will refuse the conditions in " << toString(error.where()) << ": "
+                  << error.what() << "\n";
+    }
 }
 
 MeshResult makeMesh(const Case& theCase, const MeshDescription& description) {
@@ -73,6 +89,7 @@ int run(const Options& options) {
     writeState(theCase.time("0"), mesh.state);
     writeSeries(theCase.root());
     warnOfLaterTimes(theCase);
+    checkConditions(theCase, mesh.state);
 
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     std::cout << fmt::format("\nWritten 0/\nExecutionTime = {:.2f} s  Memory = {:.0f} MB\n\nEnd\n",

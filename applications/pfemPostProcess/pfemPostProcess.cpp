@@ -9,6 +9,7 @@
 #include "application/runApplication.hpp"
 #include "application/timeRanges.hpp"
 #include "case/runLock.hpp"
+#include "functions/functionEntries.hpp"
 #include "functions/postProcess.hpp"
 
 using namespace pfem;
@@ -34,7 +35,8 @@ std::vector<std::string> wantedNames(const Options& options) {
 /// `functions` of the dictionary; when a wanted name is none of them but a type, one function of that type.
 Dictionary functionsOf(const Case& theCase, const Options& options, const std::vector<std::string>& wanted) {
     const Dictionary dict = Dictionary::read(options.get("dict", theCase.controlDict().string()));
-    const auto names = dict.subDictOrEmpty("functions").keys();
+    std::vector<std::string> names;
+    for (const auto& entry : functionEntries(dict)) names.push_back(entry.keyword());
     const auto types = functionTypes();
     for (const auto& name : wanted) {
         if (std::find(names.begin(), names.end(), name) != names.end()) continue;
@@ -65,7 +67,7 @@ int main(int argc, char** argv) {
             });
             if (functions.size() == 0)
                 throw UserError("there is no enabled function in \"" + dict.name() + "\"");
-            warnUnused(dict.subDictOrEmpty("functions"), std::cerr);
+            for (const auto& entry : functionEntries(dict)) warnUnused(entry, std::cerr);
             postProcess(theCase, functions, times, options.found("overwrite"), std::cout);
             std::cout << "\nEnd\n\n";
             return 0;

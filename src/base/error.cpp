@@ -40,6 +40,10 @@ std::string nearestWord(const std::string& word, const std::vector<std::string>&
     return best;
 }
 
+std::string toString(const Location& where) {
+    return where.line > 0 ? where.file + ":" + std::to_string(where.line) : where.file;
+}
+
 std::string notValid(const std::string& word, const std::string& what,
                      const std::vector<std::string>& valid) {
     std::vector<std::string> sorted = valid;

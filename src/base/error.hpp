@@ -15,6 +15,9 @@ struct Location {
     int lastLine = 0;  ///< of a dictionary that was found wanting; 0: one line only
 };
 
+/// "file:12", or "file" for the file as a whole: for warnings.
+std::string toString(const Location& where);
+
 /// A mistake in a dictionary, mesh, file or command line. Printed by the application in
 /// OpenFOAM's form ("--> FOAM FATAL IO ERROR:"), exit code 1.
 class UserError : public std::runtime_error {

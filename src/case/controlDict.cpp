@@ -13,7 +13,7 @@ ControlDict readControlDict(const Dictionary& dict) {
     if (controls.endTime / controls.deltaT > 1e12)
         dict.fatal("deltaT", "'deltaT' is so small that endTime would take more than 1e12 steps");
     dict.found("libs");  // accepted and ignored
-    dict.subDictOrEmpty("functions");
+    dict.found("functions");
     return controls;
 }
 

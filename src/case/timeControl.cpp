@@ -142,7 +142,7 @@ TimeInfo TimeControl::advance(const TimeInfo& time, double dt) const {
 
 bool TimeControl::writeDue(const TimeInfo& time) {
     readAgainIfChanged();
-    const bool due = write_.due(time) || ended(time);
+    const bool due = folderDue(time);
     if (interrupted()) {
         stop_ = true;
         return true;

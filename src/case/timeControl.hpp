@@ -50,6 +50,10 @@ public:
     /// of deltaT when it means one of them.
     TimeInfo advance(const TimeInfo& time, double dt) const;
 
+    /// Is a folder due at `time`, counting every n-th only, or is this the end? Unlike writeDue() this depends on `time` and
+    /// the controls alone, not on signals and stopAt.
+    bool folderDue(const TimeInfo& time, int n = 1) const { return write_.every(n).due(time) || ended(time); }
+
     /// Is the state to be written at `time`? Also looks at signals and at a changed controlDict: ask once a
     /// step.
     bool writeDue(const TimeInfo& time);

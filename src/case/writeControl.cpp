@@ -49,8 +49,14 @@ WriteControl::WriteControl(const std::string& mode, double interval) : interval_
 
 bool WriteControl::due(const TimeInfo& time) const {
     if (mode_ == Mode::none) return false;
-    if (mode_ == Mode::timeStep) return time.index % static_cast<int>(interval_) == 0;
+    if (mode_ == Mode::timeStep) return std::fmod(time.index, interval_) == 0;
     return time.index == 0 || intervals(time.value, interval_) > intervals(time.value - time.deltaT0, interval_);
+}
+
+WriteControl WriteControl::every(int n) const {
+    WriteControl result = *this;
+    result.interval_ *= n;
+    return result;
 }
 
 double WriteControl::next(const TimeInfo& time) const {

@@ -28,6 +28,9 @@ public:
     /// else, so that a restarted run writes at the same times.
     bool due(const TimeInfo& time) const;
 
+    /// Every n-th of these times.
+    WriteControl every(int n) const;
+
     /// The first k*interval behind time.value; infinite for timeStep and none.
     double next(const TimeInfo& time) const;
 

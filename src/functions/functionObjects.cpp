@@ -1,29 +1,19 @@
 #include "functions/functionObjects.hpp"
 
 #include <algorithm>
+#include <iostream>
 
 #include "base/parallel.hpp"
+#include "functions/functionEntries.hpp"
 
 namespace pfem {
 
 namespace {
 
-WriteControl readWriteControl(const Dictionary& dict) {
-    const auto mode = dict.choice("writeControl", WriteControl::modes(), "timeStep");
-    const double interval = dict.get("writeInterval", 1.0);
-    try {
-        return {mode, interval};
-    } catch (const UserError& error) {
-        dict.fatal("writeInterval", error.what());
-    }
-}
-
-/// Of a function that is disabled or not asked for, no entry is reported as unused.
-void takeAsRead(const Dictionary& dict) {
-    for (const auto& key : dict.keys()) {
-        if (dict.isDict(key)) takeAsRead(dict.subDict(key));
-        else dict.reader(key);
-    }
+/// A function of another program, as in a controlDict that serves both, is left out.
+void warnOfForeign(const Dictionary& entry) {
+    std::cerr << "--> PFEM Warning: function '" << entry.keyword() << "' in " << toString(entry.where("type")) << " is left out. "
+              << notValid(entry.get<std::string>("type"), "function type", functionTypes()) << "\n";
 }
 
 }  // namespace
@@ -33,19 +23,17 @@ FunctionObjects<Dim>::FunctionObjects(const Case& theCase, const Dictionary& dic
                                       const std::string& startName, int precision,
                                       const std::function<bool(const Dictionary& entry)>& wanted,
                                       std::optional<double> resumeAt) {
-    const Dictionary functions = dict.subDictOrEmpty("functions");
-    for (const auto& name : functions.keys()) {
-        if (!functions.isDict(name)) functions.fatal(name, "'" + name + "' in functions is not a dictionary");
-        if (name.empty() || name[0] == '.' || name.find_first_of("/\"\n") != std::string::npos)
-            functions.fatal(name, "'" + name + "' in functions cannot be the name of a folder in postProcessing");
-        const Dictionary& entry = functions.subDict(name);
-        if (!entry.get("enabled", true) || (wanted && !wanted(entry))) {
+    for (const auto& entry : functionEntries(dict)) {
+        const bool left = !entry.get("enabled", true) || (wanted && !wanted(entry));
+        if (left || isForeignFunction(entry)) {
+            if (!left) warnOfForeign(entry);
             takeAsRead(entry);
             continue;
         }
+        const std::string name = entry.keyword();
         const FunctionContext<Dim> context{name, theCase.postProcessing(name, startName), theCase.root(),
                                            entry.get("writePrecision", precision), startName, resumeAt};
-        functions_.push_back({name, readWriteControl(entry), makeFunction<Dim>(entry, context)});
+        functions_.push_back({name, RowControl(entry), makeFunction<Dim>(entry, context)});
     }
 }
 
@@ -68,11 +56,11 @@ std::vector<std::string> FunctionObjects<Dim>::names() const {
 }
 
 template <int Dim>
-void FunctionObjects<Dim>::execute(const State<Dim>& state) {
+void FunctionObjects<Dim>::execute(const State<Dim>& state, const FolderDue& folderDue) {
     forAll(size(), [&](int k) {
         auto& entry = functions_[k];
         entry.function->advance(state);
-        if (entry.control.due(state.time)) entry.function->execute(state);
+        if (entry.control.due(state.time, folderDue)) entry.function->execute(state);
     });
 }
 
@@ -80,7 +68,7 @@ template <int Dim>
 void FunctionObjects<Dim>::executeAll(const State<Dim>& state) {
     for (auto& entry : functions_) {
         entry.function->advance(state);
-        entry.function->execute(state);
+        if (entry.control.inWindow(state.time)) entry.function->execute(state);
     }
 }
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "case/controlDict.hpp"
 #include "functions/functionObject.hpp"
+#include "functions/rowControl.hpp"
 
 namespace pfem {
 
@@ -16,7 +16,8 @@ class FunctionObjects {
 public:
     /// `dict`: the dictionary that holds `functions`. `startName`: the time folder at which the run began;
     /// the tables go to postProcessing/<name>/<startName>, or continue those of the run before when `resumeAt` is
-    /// the exact time at which it goes on. `wanted`: which entries of `functions` (empty: all). Throws UserError.
+    /// the exact time at which it goes on. `wanted`: which entries of `functions` (empty: all). Those of a foreign type are
+    /// left out with a warning. Throws UserError.
     FunctionObjects(const Case& theCase, const Dictionary& dict, const std::string& startName,
                     int precision = 6, const std::function<bool(const Dictionary& entry)>& wanted = {},
                     std::optional<double> resumeAt = {});
@@ -28,10 +29,10 @@ public:
     /// As start(), but never writes a row.
     void prepare(const State<Dim>& state);
 
-    /// After each step: those whose writeControl says so write a row.
-    void execute(const State<Dim>& state);
+    /// After each step: those whose writeControl says so write a row. `folderDue`: for writeControl writeTime.
+    void execute(const State<Dim>& state, const FolderDue& folderDue = {});
 
-    /// All of them write a row, whatever their writeControl (utilities that work on time folders).
+    /// All of them write a row, whatever their writeControl (utilities that work on time folders), from timeStart to timeEnd.
     void executeAll(const State<Dim>& state);
 
     /// What the functions need to go on after a restart, for State::memory.
@@ -47,7 +48,7 @@ public:
 private:
     struct Entry {
         std::string name;
-        WriteControl control;
+        RowControl control;
         std::unique_ptr<FunctionObject<Dim>> function;
     };
     std::vector<Entry> functions_;

@@ -74,7 +74,8 @@ void MassLedger<Dim>::start(const State<Dim>& state) {
     table_.reset();
     rowsUntil_.reset();
     file_ = context_.folder / "fluidVolume.dat";
-    const auto previous = context_.resumeAt ? previousTable(file_) : std::nullopt;
+    if (!context_.resumeAt) return beginTable();  // also when its first row comes much later: a restart before that finds it here
+    const auto previous = previousTable(file_);
     if (!previous) return;
     const auto titles = titlesOf(readTable(*previous, *context_.resumeAt));
     const auto fixed = massTitles({});

@@ -1,5 +1,7 @@
 #include "momentum/boundaryConditions.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -37,6 +39,18 @@ double readSideFriction(const Dictionary& entry) {
     return friction / width;
 }
 
+/// Every patch needs an entry: those without are named all at once.
+void demandEntries(const Dictionary& dict, const std::vector<std::string>& names) {
+    std::vector<std::string> missing;
+    for (const auto& name : names)
+        if (!dict.found(name)) missing.push_back("'" + name + "'");
+    if (missing.empty()) return;
+    throw UserError(fmt::format("No entry for {} of the mesh: each wall and each named patch needs one, of its name or of a pattern "
+                                "such as \"wall.*\"",
+                                fmt::join(missing, ", ")),
+                    dict.where());
+}
+
 }  // namespace
 
 template <int Dim>
@@ -52,6 +66,7 @@ BoundaryConditions<Dim> readBoundaryConditions(const Dictionary& dict, const std
             dict.fatal(key, notValid(key, "patch", names));
         result.sideFriction += readSideFriction(entry);
     }
+    demandEntries(dict, names);
 
     for (const auto& patch : patches) {
         const Dictionary& entry = dict.subDict(patch.name);

@@ -27,8 +27,8 @@ struct BoundaryConditions {
     }
 };
 
-/// Read the condition of every patch. Throws UserError for a patch without entry, an entry without patch, and
-/// unknown types.
+/// Read the condition of every patch: of the entry with its name, else of the last pattern that matches it. Throws UserError
+/// for patches without entry, an entry without patch, and unknown types.
 template <int Dim>
 BoundaryConditions<Dim> readBoundaryConditions(const Dictionary& dict, const std::vector<Patch<Dim>>& patches);
 

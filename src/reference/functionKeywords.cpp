@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include "case/writeControl.hpp"
 #include "functions/forces.hpp"
 #include "functions/front.hpp"
 #include "functions/line.hpp"
 #include "functions/massLedger.hpp"
 #include "functions/pressureSensor.hpp"
+#include "functions/rowControl.hpp"
 #include "functions/waveGauge.hpp"
 #include "reference/keywords.hpp"
 
@@ -15,18 +15,19 @@ std::vector<KeywordTable> functionKeywords() {
     const std::string file = "system/controlDict, functions";
     const EntryDescription fields{"fields",   "list of word",   "-",
                                   "required", "fields by name", "U a D p sigma h"};
+    std::vector<EntryDescription> all{
+        {"type", "word", "-", "required", "what the function does; one of another program is left out with a warning",
+         oneOf(functionTypes()).text},
+        {"enabled", "bool", "-", "yes", "leave the function out", ""}};
+    for (auto& row : describeEntries<RowEntries>()) all.push_back(row);
+    all.push_back({"writePrecision", "int", "digits", "that of controlDict", "digits of the numbers", ""});
+    all.push_back({"libs", "list of word", "-", "optional", "accepted and ignored", ""});
     return {
         {file,
          "",
-         "One dictionary per function under a name of its own; its tables are in "
+         "One dictionary per function under a name of its own, in braces or, as a list, in brackets; its tables are in "
          "`postProcessing/<name>/<startTime>`.",
-         {{"type", "word", "-", "required", "what the function does", oneOf(functionTypes()).text},
-          {"enabled", "bool", "-", "yes", "leave the function out", ""},
-          {"writeControl", "word", "-", "timeStep", "what writeInterval means",
-           oneOf(WriteControl::modes()).text},
-          {"writeInterval", "scalar", "steps or s", "1", "distance of the rows", "> 0"},
-          {"writePrecision", "int", "digits", "that of controlDict", "digits of the numbers", ""},
-          {"libs", "list of word", "-", "optional", "accepted and ignored", ""}}},
+         all},
         {file, "boundingBox", "Lower and upper corners of fluid and solids; no entries.", {}},
         {file,
          "energy",

@@ -5,6 +5,7 @@
 
 #include "../io/sampleState.hpp"
 #include "base/error.hpp"
+#include "case/timeFolders.hpp"
 #include "functions/functionObjects.hpp"
 #include "functions/massBalance.hpp"
 #include "io/atomicFile.hpp"
@@ -217,7 +218,7 @@ TEST_F(Functions, EachHasItsOwnWriteControl) {
 
 TEST_F(Functions, MistakesPrintTheValidWords) {
     const std::pair<const char*, const char*> mistakes[] = {
-        {"a { type banana; }", "massLedger"},
+        {"a { type massLeger; }", "massLedger"},
         {"a { type probes; fields (banana); points ((0 0 0)); }", "sigma"},
         {"a { type probes; fields (p); }", "probeLocations"},
         {"a { type probes; fields (p); points (); }", "probe"},
@@ -263,6 +264,26 @@ TEST_F(Functions, MassLedgerAddsUp) {
     restarted.start(state);
     restarted.execute(state);
     EXPECT_EQ(rows("mass/0.1/fluidVolume.dat")[0], table[1]);
+}
+
+TEST_F(Functions, MassLedgerOfAWindowGoesOnWhereTheRunBegan) {
+    const std::string text = "mass { type massLedger; timeStart 0.3; }";
+    State<2> state = blocks(2);
+    writeState(folder_.path() / "0", state);
+    make(text).start(state);
+    const Dictionary dict = Dictionary::parse("functions { " + text + " }");
+    for (const int k : {1, 2}) {  // restarts before the first row
+        state.time = {0.1 * k, k, 0.1, 0.1};
+        FunctionObjects<2> restarted(Case(folder_.path()), dict, timeName(state.time.value), 6, {}, state.time.value);
+        restarted.start(state);
+        state.ledger = {{"contact", 0.01}};
+        for (int i = k + 1; i <= 4; ++i) {
+            state.time = {0.1 * i, i, 0.1, 0.1};
+            restarted.execute(state);
+        }
+        EXPECT_EQ(rows("mass/0/fluidVolume.dat").size(), 2u);
+        EXPECT_FALSE(fs::exists(folder_.path() / "postProcessing/mass" / timeName(0.1 * k)));
+    }
 }
 
 TEST_F(Functions, MassCountsIsolatedParticles) {

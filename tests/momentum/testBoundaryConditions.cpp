@@ -54,4 +54,38 @@ TEST(BoundaryConditions, everyPatchNeedsAKnownCondition) {
     EXPECT_THROW(tank("floor { type slip; } sides { type slip; } roof { type slip; }"), UserError);
 }
 
+TEST(BoundaryConditions, patternsAreForPatchesWithoutAnEntryOfTheirOwn) {
+    std::vector<Patch<2>> patches;
+    for (const char* name : {"wallLeft", "wallRight", "wallFloor", "base"}) patches.push_back({name, {}});
+    const auto read = [&](const std::string& text) {
+        const Dictionary dict = Dictionary::parse(text);
+        const auto conditions = readBoundaryConditions<2>(dict, patches);
+        std::vector<std::string> unused;
+        for (const auto& entry : dict.unused()) unused.push_back(entry.key);
+        return std::pair(conditions, unused);
+    };
+    const auto [kinds, unused] = read(
+        "wallFloor { type slip; friction 0.1; } \".*\" { type clamped; } \"wall.*\" { type noSlip; } \"wall(Left|Up)\" { type slip; }"
+        "\"roof.*\" { type slip; } panes { type sideWalls; width 1; friction 0.5; }");
+    EXPECT_EQ(kinds.kind, (std::vector<PatchKind>{PatchKind::slipWall, PatchKind::noSlipWall, PatchKind::slipWall, PatchKind::clamped}));
+    EXPECT_EQ(kinds.friction[2], 0.1);
+    EXPECT_EQ(kinds.friction[0], 0);
+    EXPECT_EQ(kinds.sideFriction, 0.5);
+    EXPECT_EQ(unused, std::vector<std::string>{"roof.*"});
+    // the last pattern wins; each patch has a motion of its own
+    EXPECT_EQ(read("\"wall.*\" { type noSlip; } \".*\" { type clamped; }").first.kind[0], PatchKind::clamped);
+    const auto moved = read("base { type clamped; } \"wall.*\" { type slip; motion { velocity (1 0 0); } }").first.motion;
+    EXPECT_TRUE(moved[0] && moved[1] && moved[2] && !moved[3]);
+}
+
+TEST(BoundaryConditions, allPatchesWithoutEntryAreNamedAtOnce) {
+    try {
+        tank("\"roof.*\" { type slip; }");
+        ADD_FAILURE();
+    } catch (const UserError& error) {
+        const std::string text = error.what();
+        EXPECT_NE(text.find("No entry for 'floor', 'sides' of the mesh"), std::string::npos) << text;
+    }
+}
+
 }  // namespace
