@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iostream>
 #include <limits>
+#include <utility>
 
 #include "base/error.hpp"
 #include "case/interrupt.hpp"
@@ -58,16 +59,24 @@ fs::file_time_type modificationTime(const fs::path& file) {
     return fs::last_write_time(file, error);
 }
 
+/// Of controlDict and what it includes.
+std::map<std::string, fs::file_time_type> modificationTimes(const Dictionary& dict) {
+    std::map<std::string, fs::file_time_type> times;
+    for (const auto& file : filesOf(dict)) times[file] = modificationTime(file);
+    return times;
+}
+
 }  // namespace
 
 TimeControl::TimeControl(const Case& theCase)
     : root_(theCase.root()),
       file_(theCase.controlDict()),
-      readAt_(modificationTime(file_)),
+      readAt_{{file_.string(), modificationTime(file_)}},
       dict_(Dictionary::read(file_)),
       controls_(readControlDict(dict_)),
       write_(writeControlOf(controls_)),
       startName_(chooseStart(theCase, controls_)) {
+    readAt_.merge(modificationTimes(dict_));
     catchInterrupts();
     warnOfLaterTimes(theCase, startName_);
     stop_ = controls_.stopAt == "writeNow" || controls_.stopAt == "noWriteNow";
@@ -154,9 +163,12 @@ bool TimeControl::writeDue(const TimeInfo& time) {
 
 void TimeControl::readAgainIfChanged() {
     if (!controls_.runTimeModifiable) return;
-    const auto modified = modificationTime(file_);
-    if (modified == readAt_) return;
-    readAt_ = modified;
+    bool changed = false;
+    for (auto& [file, time] : readAt_) {
+        const auto before = std::exchange(time, modificationTime(file));
+        changed = changed || before != time;
+    }
+    if (!changed) return;
     try {
         Dictionary dict = Dictionary::read(file_);
         const ControlDict controls = readControlDict(dict);
@@ -167,6 +179,7 @@ void TimeControl::readAgainIfChanged() {
             if (changes.find("    " + key) != std::string::npos) std::cout << "    (" << key << ": from the next start on)\n";
         controls_ = controls;
         dict_ = std::move(dict);
+        readAt_.merge(modificationTimes(dict_));
     } catch (const UserError& error) {  // perhaps just being edited: a running job must not die of it
         std::cerr << "--> PFEM Warning : " << file_.string()
                   << " was changed but cannot be used, the old settings stay: " << error.what() << "\n";

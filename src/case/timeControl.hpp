@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <filesystem>
+#include <map>
 #include <string>
 
 #include "case/case.hpp"
@@ -73,7 +74,7 @@ private:
     double target(const TimeInfo& time, double dt) const;
 
     std::filesystem::path root_, file_;
-    std::filesystem::file_time_type readAt_;
+    std::map<std::string, std::filesystem::file_time_type> readAt_;  // controlDict and what it includes: when last changed
     Dictionary dict_;
     ControlDict controls_;
     WriteControl write_;

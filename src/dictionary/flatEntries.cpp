@@ -28,6 +28,17 @@ std::map<std::string, std::string> flatEntries(const Dictionary& dictionary) {
     return flat;
 }
 
+std::set<std::string> filesOf(const Dictionary& dictionary) {
+    std::set<std::string> files{dictionary.where().file};
+    for (const auto& entry : dictionary.node()->entries) {
+        files.insert(entry.where.file);
+        for (const auto& token : entry.tokens)
+            if (token.file) files.insert(*token.file);
+        if (entry.dict) files.merge(filesOf(*entry.dict));
+    }
+    return files;
+}
+
 std::string differences(const std::map<std::string, std::string>& before, const std::map<std::string, std::string>& now,
                         const std::string& indent) {
     std::string text;

@@ -2,11 +2,15 @@
 // A dictionary as a flat list, to compare two of them.
 
 #include <map>
+#include <set>
 #include <string>
 
 #include "dictionary/dictionary.hpp"
 
 namespace pfem {
+
+/// The files in which the dictionary's entries stand: its own and those that it includes.
+std::set<std::string> filesOf(const Dictionary& dictionary);
 
 /// "convergence.tolU" -> "1e-4" for each entry at the end of the tree, macros and includes resolved, without the
 /// FoamFile header; an empty sub-dictionary -> "{}".

@@ -409,6 +409,28 @@ TEST_F(TimeControlTest, EditingTheFileStopsTheRun) {
     }
 }
 
+TEST_F(TimeControlTest, EditingAnIncludedFileActsToo) {
+    const fs::path included = folder_.path() / "system/times";
+    const auto include = [&](const std::string& text) {
+        std::ofstream(included) << text;
+        fs::last_write_time(included, fs::file_time_type::clock::now() + std::chrono::seconds(++edits_));
+    };
+    include("endTime 1;");
+    write("deltaT 0.1; #include \"times\"\n");
+    TimeControl control = open();
+    TimeInfo time = control.advance(TimeInfo{}, 0.1);
+    include("endTime 0.3; deltaT 0.05;");
+    control.writeDue(time);
+    EXPECT_EQ(control.controls().endTime, 0.3);
+    EXPECT_EQ(control.deltaT(time), 0.05);
+    include("endTime 0.2; deltaT");  // half saved
+    control.writeDue(time);
+    include("endTime 0.2; deltaT 0.02;");
+    control.writeDue(time);
+    EXPECT_EQ(control.controls().endTime, 0.2);
+    EXPECT_EQ(control.deltaT(time), 0.02);
+}
+
 TEST_F(TimeControlTest, AHalfSavedFileDoesNotKillTheRun) {
     write("endTime 1; deltaT 0.1;");
     TimeControl control = open();
