@@ -57,7 +57,7 @@ std::vector<std::string> functionNames(const Case& theCase, const Options& optio
     const Dictionary control = Dictionary::read(theCase.controlDict());
     std::vector<std::string> names;
     for (const auto& entry : functionEntries(control))
-        if (entry.get<std::string>("type", "") == "probes") names.push_back(entry.keyword());
+        if (entry.get("enabled", true) && entry.get<std::string>("type", "") == "probes") names.push_back(entry.keyword());
     if (names.empty()) throw UserError("no function of type probes: nothing to compare", control.where("functions"));
     return names;
 }

@@ -23,7 +23,8 @@ struct RowEntries {
     template <class Visitor>
     void entries(Visitor& v) {
         v("writeControl", writeControl, "-",
-          "what writeInterval means; writeTime: with the time folders and at the end of the run (outputTime is the old word)",
+          "what writeInterval means; adjustable: as runTime, steps are fitted to the time folders alone; writeTime: with the time "
+          "folders and at the end of the run (outputTime is the old word)",
           oneOf(modes()));
         v("writeInterval", writeInterval, "steps, s or folders", "distance of the rows", positive);
         v("timeStart", timeStart, "s", "no rows before; what is summed or filtered over time begins with the run all the same");
