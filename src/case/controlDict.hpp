@@ -42,7 +42,8 @@ struct ControlDict {
         v("stopAt", stopAt, "-", "when to stop; may be changed while the run goes on",
           oneOf({"endTime", "writeNow", "noWriteNow", "nextWrite"}));
         v.required("endTime", endTime, "s", "end of the run; the last step is shortened where it would pass it");
-        v.required("deltaT", deltaT, "s", "time step, also after a restart with another value; with adjustTimeStep the first one of the case", positive);
+        v.required("deltaT", deltaT, "s",
+                   "time step, also after a restart with another value; with adjustTimeStep the first one of the case", positive);
         v("writeControl", writeControl, "-",
           "what writeInterval means; adjustable: steps end exactly on the write times",
           oneOf(WriteControl::modes()));

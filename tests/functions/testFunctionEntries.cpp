@@ -169,7 +169,8 @@ TEST_F(FunctionEntriesTest, ForeignTypesAreLeftOutWithAWarning) {
         "functions\n{\n  mean\n  {\n    type fieldAverage;\n    fields ( U { mean on; } );\n  }\n  a { type stepCounter; }\n}\n");
     const std::string warning = testing::internal::GetCapturedStderr();
     EXPECT_EQ(functions.names(), std::vector<std::string>{"a"});
-    for (const char* words : {"Warning: function 'mean' in controlDict:5 is left out", "fieldAverage", "Valid function types", "massLedger"})
+    for (const char* words : {"Warning: function 'mean' in controlDict:5 is left out", "fieldAverage", "Valid function types",
+                              "massLedger"})
         EXPECT_NE(warning.find(words), std::string::npos) << warning;
     EXPECT_TRUE(dict_.unused().empty());
     // OpenFOAM's own words are foreign, near ones are misspelt
