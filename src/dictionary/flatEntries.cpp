@@ -7,10 +7,24 @@ namespace pfem {
 
 namespace {
 
+/// The dictionaries of `( a {...} b {...} )`; none when there is something else in the list.
+std::vector<Dictionary> namedIn(const Tokens& tokens) {
+    std::vector<Dictionary> named;
+    if (tokens.size() < 4 || tokens.size() % 2 != 0 || !tokens.front().is('(') || !tokens.back().is(')')) return {};
+    for (std::size_t i = 1; i + 1 < tokens.size(); i += 2) {
+        if (tokens[i].dict || !tokens[i + 1].dict || tokens[i + 1].dict->node()->entries.empty()) return {};
+        named.push_back(*tokens[i + 1].dict);
+    }
+    return named;
+}
+
 void collect(const Dictionary& dictionary, const std::string& scope, std::map<std::string, std::string>& flat) {
     for (const auto& entry : dictionary.node()->entries) {
         if (scope.empty() && entry.key == headerKey) continue;
         const std::string path = scope + entry.key;
+        const auto named = namedIn(entry.tokens);
+        for (const auto& dict : named) collect(dict, path + "." + dict.keyword() + ".", flat);
+        if (!named.empty()) continue;
         if (!entry.dict)
             flat[path] = spelling(entry.tokens);
         else if (entry.dict->node()->entries.empty())

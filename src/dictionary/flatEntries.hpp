@@ -13,7 +13,7 @@ namespace pfem {
 std::set<std::string> filesOf(const Dictionary& dictionary);
 
 /// "convergence.tolU" -> "1e-4" for each entry at the end of the tree, macros and includes resolved, without the
-/// FoamFile header; an empty sub-dictionary -> "{}".
+/// FoamFile header; an empty sub-dictionary -> "{}"; a list of named dictionaries as if it were in braces.
 std::map<std::string, std::string> flatEntries(const Dictionary& dictionary);
 
 /// One line for each difference: "tolU: 1e-4 -> 1e-5", "tolP: 1e-4, not there before", "maxCo: removed (was 0.2)"; each

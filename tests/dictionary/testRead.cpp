@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "dictionary/dictionary.hpp"
+#include "dictionary/flatEntries.hpp"
 
 using namespace pfem;
 
@@ -174,4 +175,14 @@ TEST(Read, unusedEntries) {
               "'tolerance'?)\n"
               "--> PFEM Warning: entry 'functions' in system/controlDict:6 is not used\n"
               "--> PFEM Warning: entry 'ignored' in system/controlDict:7 is not used\n");
+}
+
+TEST(Read, flatEntriesOfAListAreThoseOfBraces) {
+    const std::string body = "a { type x; deep { y (1 2); } } b { z 3; }";
+    const auto braces = flatEntries(Dictionary::parse("functions { " + body + " }"));
+    EXPECT_EQ(flatEntries(Dictionary::parse("functions ( " + body + " );")), braces);
+    EXPECT_EQ(braces.at("functions.a.deep.y"), "( 1 2 )");
+    EXPECT_EQ(flatEntries(Dictionary::parse("f ( a { x 1; } 3 );")).at("f"), "( a { x 1; } 3 )");
+    EXPECT_EQ(flatEntries(Dictionary::parse("f ( a { } );")).at("f"), "( a { } )");
+    EXPECT_EQ(flatEntries(Dictionary::parse("f ( );")).at("f"), "( )");
 }
