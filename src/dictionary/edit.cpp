@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "dictionary/dictionary.hpp"
+#include "dictionary/files.hpp"
 
 namespace pfem {
 
@@ -146,7 +147,7 @@ std::vector<Span> named(const std::string& text, const Scope& scope, const std::
 
 /// All places where the dictionary of the path is written: a dictionary may be continued further down.
 std::vector<Scope> scopesOf(const std::string& text, const std::vector<std::string>& path) {
-    std::vector<Scope> scopes{{0, text.size(), true}};
+    std::vector<Scope> scopes{{byteOrderMark(text), text.size(), true}};
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
         std::vector<Scope> inner;
         for (const auto& scope : scopes)

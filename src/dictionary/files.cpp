@@ -44,6 +44,10 @@ std::vector<fs::path> etcFolders() {
 
 }  // namespace
 
+std::size_t byteOrderMark(const std::string& text) {
+    return text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+}
+
 std::string fileText(const fs::path& file, const Location& where) {
     const Location place = where.file.empty() ? Location{file.string(), 0} : where;
     std::error_code error;
@@ -56,6 +60,9 @@ std::string fileText(const fs::path& file, const Location& where) {
     std::ifstream in(file, std::ios::binary);
     std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
     if (!in) throw UserError("cannot read file \"" + file.string() + '"', place);
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+        throw UserError('"' + file.string() + "\" is UTF-16: save it as UTF-8", place);
+    text.erase(0, byteOrderMark(text));
     return text;
 }
 

@@ -2,6 +2,8 @@
 
 #include <cstring>
 
+#include "dictionary/files.hpp"
+
 namespace pfem {
 
 namespace {
@@ -19,7 +21,7 @@ bool isWordCharacter(char c) {
 
 Lexer::Lexer(std::string text, std::shared_ptr<const std::string> file, int firstLine)
     : text_(std::move(text)), file_(std::move(file)), line_(firstLine) {
-    if (text_.starts_with("\xEF\xBB\xBF")) position_ = 3;  // byte order mark of some Windows editors
+    position_ = byteOrderMark(text_);
     const auto nul = text_.find('\0');
     if (nul != std::string::npos) {
         for (std::size_t i = 0; i < nul; ++i) line_ += text_[i] == '\n';

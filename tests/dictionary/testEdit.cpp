@@ -81,6 +81,12 @@ TEST(Edit, RemoveTakesTheLine) {
     EXPECT_EQ(removeEntry("a 1;", {"a"}, "f"), "");
 }
 
+TEST(Edit, aByteOrderMarkStaysInFront) {
+    const std::string mark = "\xEF\xBB\xBF";
+    EXPECT_EQ(setEntry(mark + "a 1;\n", {"a"}, "2", "file"), mark + "a 2;\n");
+    EXPECT_EQ(removeEntry(mark + "a 1;\nb 2;\n", {"b"}, "file"), mark + "a 1;\n");
+}
+
 TEST(Edit, MistakesAreNamed) {
     EXPECT_THROW(setEntry(text, {"none", "x"}, "1", "f"), UserError);
     EXPECT_THROW(setEntry(text, {"a", "x"}, "1", "f"), UserError) << "no dictionary";

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "dictionary/dictionary.hpp"
+#include "dictionary/function1.hpp"
 #include "dictionary/print.hpp"
 
 using namespace pfem;
@@ -66,6 +67,18 @@ TEST_F(Includes, relativeToTheIncludingFile) {
     unsetenv("PFEM_CASE");
     write("system/controlDict", "");
     EXPECT_EQ(expanded("s {\n#include \"<constant>/c\"\n}"), "s { q 1; }") << "the case of the file";
+}
+
+// Byte order marks of some editors, in the file itself and in those that it names; UTF-16 is told apart.
+TEST_F(Includes, byteOrderMarks) {
+    const std::string mark = "\xEF\xBB\xBF";
+    write("marked", mark + "x 1;\n");
+    EXPECT_EQ(expanded(mark + "#include \"marked\"\ny 2;"), "x 1; y 2;");
+    write("table", mark + "((0 1) (1 3))");
+    const auto f = readFunction1<double>(Dictionary::read(write("main", mark + "f { type tableFile; file \"table\"; }")), "f");
+    EXPECT_EQ(f->value(0.5), 2);
+    write("wide", std::string("\xFF\xFEx\0;\0", 6));
+    expectError("#include \"wide\"", "main", 1, "UTF-16");
 }
 
 TEST_F(Includes, optionalAndEtc) {
