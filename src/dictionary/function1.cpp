@@ -1,5 +1,7 @@
 #include "dictionary/function1.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -130,6 +132,19 @@ T Function1<T>::integral(double from, double to) const {
 template <class T>
 Function1Ptr<T> readFunction1(const Dictionary& dict, const std::string& key) {
     return dict.isDict(key) ? readBlock<T>(dict.subDict(key)) : readInline<T>(dict, key);
+}
+
+void demandPlane(const Dictionary& dict, const std::string& key, double z) {
+    if (z == 0) return;
+    dict.fatal(key, fmt::format("Entry '{}' in dictionary \"{}\" has the z component {:g}: the case lies in the plane of x and y, "
+                                "write (x y 0)",
+                                key, dict.name(), z));
+}
+
+Function1Ptr<Eigen::Vector3d> readPlaneFunction1(const Dictionary& dict, const std::string& key) {
+    const auto function = readFunction1<Eigen::Vector3d>(dict, key);
+    demandPlane(dict, key, function->outOfPlane());
+    return function;
 }
 
 template class Function1<double>;

@@ -28,6 +28,8 @@ public:
     virtual T derivative(double t) const;
     /// Integral of f over [from, to]. The base class sums Gauss points.
     virtual T integral(double from, double to) const;
+    /// A z component other than zero that the function has, of a formula at one of some times; 0: there is none.
+    virtual double outOfPlane() const = 0;
 };
 
 template <class T>
@@ -36,6 +38,12 @@ using Function1Ptr = std::shared_ptr<const Function1<T>>;
 /// The entry `key` of `dict`. UserError with the entry's line for unknown types and values that make no sense.
 template <class T>
 Function1Ptr<T> readFunction1(const Dictionary& dict, const std::string& key);
+
+/// The same in a plane case: UserError for a z component that is not zero, which nothing would heed.
+Function1Ptr<Eigen::Vector3d> readPlaneFunction1(const Dictionary& dict, const std::string& key);
+
+/// UserError at `key` unless z is 0.
+void demandPlane(const Dictionary& dict, const std::string& key, double z);
 
 std::vector<std::string> function1Types();
 

@@ -82,6 +82,13 @@ T Table1<T>::integral(double from, double to) const {
     return integralFromFirst(to) - integralFromFirst(from);
 }
 
+template <class T>
+double Table1<T>::outOfPlane() const {
+    for (const auto& [t, value] : points_)
+        if (zOf(value) != 0) return zOf(value);
+    return 0;
+}
+
 template class Table1<double>;
 template class Table1<Eigen::Vector3d>;
 

@@ -35,6 +35,13 @@ T Polynomial<T>::sum(double t, int order) const {
 }
 
 template <class T>
+double Polynomial<T>::outOfPlane() const {
+    for (const auto& [c, e] : terms_)
+        if (zOf(c) != 0) return zOf(c);
+    return 0;
+}
+
+template <class T>
 T Wave<T>::value(double t) const {
     const double cycles = e_.frequency * (t - e_.start);
     double w = 0;
@@ -63,6 +70,18 @@ T Formula<T>::value(double t) const {
         return components_[0]({t});
     else
         return {components_[0]({t}), components_[1]({t}), components_[2]({t})};
+}
+
+template <class T>
+double Formula<T>::outOfPlane() const {
+    if (components_.size() < 3) return 0;
+    for (const double t : {0.0, 1e-3, 0.017, 0.11, 0.37, 1.3, 7.9, 53.0}) {
+        try {
+            if (const double z = components_[2]({t}); z != 0) return z;
+        } catch (const UserError&) {  // it need not have a value at this time
+        }
+    }
+    return 0;
 }
 
 template class Polynomial<double>;

@@ -8,6 +8,9 @@
 
 namespace pfem::function1Detail {
 
+inline double zOf(double) { return 0; }
+inline double zOf(const Eigen::Vector3d& v) { return v[2]; }
+
 template <class T>
 class Constant : public Function1<T> {
 public:
@@ -15,6 +18,7 @@ public:
     T value(double) const override { return value_; }
     T derivative(double) const override { return 0 * value_; }
     T integral(double from, double to) const override { return (to - from) * value_; }
+    double outOfPlane() const override { return zOf(value_); }
 
 private:
     T value_;
@@ -34,6 +38,7 @@ public:
     T value(double t) const override;
     T derivative(double t) const override;
     T integral(double from, double to) const override;
+    double outOfPlane() const override;
 
 private:
     double within(double t) const;
@@ -54,6 +59,7 @@ public:
     T value(double t) const override { return sum(t, 0); }
     T derivative(double t) const override { return sum(t, 1); }
     T integral(double from, double to) const override { return sum(to, -1) - sum(from, -1); }
+    double outOfPlane() const override;
 
 private:
     T sum(double t, int order) const;
@@ -76,6 +82,7 @@ public:
     explicit Wave(WaveEntries<T> entries) : e_(std::move(entries)) {}
     T value(double t) const override;
     T derivative(double t) const override;
+    double outOfPlane() const override { return zOf(e_.scale) != 0 ? zOf(e_.scale) : zOf(e_.level); }
 
 private:
     WaveEntries<T> e_;
@@ -89,6 +96,7 @@ public:
     T derivative(double t) const override {
         return factor_->derivative(t) * f_->value(t) + factor_->value(t) * f_->derivative(t);
     }
+    double outOfPlane() const override { return f_->outOfPlane(); }
 
 private:
     Function1Ptr<double> factor_;
@@ -101,6 +109,7 @@ class Formula : public Function1<T> {
 public:
     Formula(const std::vector<std::string>& formulas, const Location& where);
     T value(double t) const override;
+    double outOfPlane() const override;
 
 private:
     std::vector<Expression> components_;

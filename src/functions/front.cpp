@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "dictionary/function1.hpp"
 #include "functions/sensors.hpp"
 #include "mesh/simplex.hpp"
 
@@ -70,6 +71,7 @@ Front<Dim>::Front(const Dictionary& dict, const FunctionContext<Dim>& context) :
     readEntries(dict, entries_);
     if (!(entries_.direction.template head<Dim>().norm() > 0))
         dict.fatal("direction", "the direction has no length");
+    if (Dim == 2) demandPlane(dict, "direction", entries_.direction[2]);
 }
 
 template <int Dim>

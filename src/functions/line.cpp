@@ -16,6 +16,8 @@ Line<Dim>::Line(const Dictionary& dict, const FunctionContext<Dim>& context) : c
     fields_ = nodalFields<Dim>(dict, entries_.fields);
     if (!((entries_.end - entries_.start).template head<Dim>().norm() > 0))
         dict.fatal("end", "start and end of the line are the same point");
+    warnOutOfPlane<Dim>(dict, "start", {entries_.start});
+    warnOutOfPlane<Dim>(dict, "end", {entries_.end});
 }
 
 template <int Dim>

@@ -122,6 +122,7 @@ PressureSensor<Dim>::PressureSensor(const Dictionary& dict, const FunctionContex
     : dict_(dict), context_(context) {
     readEntries(dict, entries_);
     if (entries_.points.empty()) dict.fatal("points", "no sensor: points ((0.5 0 0) ...);");
+    warnOutOfPlane<Dim>(dict, "points", entries_.points);
 }
 
 template <int Dim>

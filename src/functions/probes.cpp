@@ -13,8 +13,10 @@ namespace pfem {
 template <int Dim>
 Probes<Dim>::Probes(const Dictionary& dict, const FunctionContext<Dim>& context) : context_(context) {
     fields_ = nodalFields<Dim>(dict, dict.get<std::vector<std::string>>("fields"));
-    points_ = dict.get<std::vector<Eigen::Vector3d>>(dict.found("points") ? "points" : "probeLocations");
-    if (points_.empty()) dict.fatal("probeLocations", "no probe locations");
+    const std::string key = dict.found("points") ? "points" : "probeLocations";
+    points_ = dict.get<std::vector<Eigen::Vector3d>>(key);
+    if (points_.empty()) dict.fatal(key, "no probe locations");
+    warnOutOfPlane<Dim>(dict, key, points_);
     fixed_ = dict.get("fixedLocations", true);
     dict.found("interpolationScheme");  // always linear in the triangle
     dict.found("includeOutOfBounds");   // always

@@ -2,7 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iostream>
+
 namespace pfem {
+
+template <int Dim>
+void warnOutOfPlane(const Dictionary& dict, const std::string& key, const std::vector<Eigen::Vector3d>& points) {
+    if (Dim != 2 || std::all_of(points.begin(), points.end(), [](const auto& x) { return x[2] == 0; })) return;
+    const Location where = dict.where(key);
+    std::cerr << fmt::format("--> PFEM Warning: z in entry '{}' in {}:{} is not heeded: the case lies in the plane of x and y\n", key,
+                             where.file, where.line);
+}
 
 template <int Dim>
 Table sensorTable(const FunctionContext<Dim>& context, const std::string& file, const std::string& word,
@@ -27,6 +38,7 @@ void sensorRow(Table& table, double time, const std::vector<double>& values) {
     table.row(row);
 }
 
+template void warnOutOfPlane<2>(const Dictionary&, const std::string&, const std::vector<Eigen::Vector3d>&);
 template Table sensorTable<2>(const FunctionContext<2>&, const std::string&, const std::string&,
                               const std::vector<Eigen::Vector3d>&, const std::vector<bool>&);
 

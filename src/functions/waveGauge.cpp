@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dictionary/function1.hpp"
 #include "functions/sensors.hpp"
 
 namespace pfem {
@@ -83,6 +84,8 @@ WaveGauge<Dim>::WaveGauge(const Dictionary& dict, const FunctionContext<Dim>& co
     if (entries_.points.empty()) dict.fatal("points", "no gauge: points ((0.5 0 0) ...);");
     if (!(entries_.direction.template head<Dim>().norm() > 0))
         dict.fatal("direction", "the direction has no length");
+    if (Dim == 2) demandPlane(dict, "direction", entries_.direction[2]);
+    warnOutOfPlane<Dim>(dict, "points", entries_.points);
     entries_.direction.normalize();
 }
 

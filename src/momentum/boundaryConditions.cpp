@@ -77,7 +77,7 @@ BoundaryConditions<Dim> readBoundaryConditions(const Dictionary& dict, const std
         if (entry.found("motion")) {
             if (type == "symmetry" || type == "traction")
                 entry.fatal("motion", "'" + patch.name + "' cannot be moved: only slip, noSlip and clamped patches can");
-            result.motion.back() = std::make_shared<WallMotion>(entry.subDict("motion"));
+            result.motion.back() = std::make_shared<WallMotion>(entry.subDict("motion"), Dim == 2);
         }
         result.friction.push_back(entry.get<double>("friction", 0));
         if (entry.found("friction") && type != "slip")
@@ -89,7 +89,7 @@ BoundaryConditions<Dim> readBoundaryConditions(const Dictionary& dict, const std
         if (type == "symmetry") result.kind.push_back(PatchKind::symmetry);
         if (type == "traction") {
             result.kind.push_back(PatchKind::traction);
-            const auto overTime = readFunction1<Eigen::Vector3d>(entry, "traction");
+            const auto overTime = Dim == 2 ? readPlaneFunction1(entry, "traction") : readFunction1<Eigen::Vector3d>(entry, "traction");
             result.traction.back() = overTime->value(0).template head<Dim>();
             const bool constant = !entry.isDict("traction") && entry.reader("traction").opens();
             if (!constant) result.tractionOverTime.back() = overTime;

@@ -4,15 +4,18 @@
 
 namespace pfem {
 
-WallMotion::WallMotion(const Dictionary& dict) {
+WallMotion::WallMotion(const Dictionary& dict, bool plane) {
     const auto oneOf = [&](const char* first, const char* second) {
         if (dict.found(first) && dict.found(second))
             dict.fatal(second, std::string("Give either ") + first + " or " + second + ", not both");
     };
     oneOf("displacement", "velocity");
     oneOf("angle", "omega");
-    if (dict.found("displacement")) displacement_ = readFunction1<Eigen::Vector3d>(dict, "displacement");
-    if (dict.found("velocity")) velocity_ = readFunction1<Eigen::Vector3d>(dict, "velocity");
+    const auto vector = [&](const char* key) {
+        return plane ? readPlaneFunction1(dict, key) : readFunction1<Eigen::Vector3d>(dict, key);
+    };
+    if (dict.found("displacement")) displacement_ = vector("displacement");
+    if (dict.found("velocity")) velocity_ = vector("velocity");
     if (dict.found("angle")) angle_ = readFunction1<double>(dict, "angle");
     if (dict.found("omega")) omega_ = readFunction1<double>(dict, "omega");
     if (!displacement_ && !velocity_ && !angle_ && !omega_)
@@ -22,6 +25,7 @@ WallMotion::WallMotion(const Dictionary& dict) {
     axis_ = dict.get("axis", axis_);
     if (!(axis_.norm() > 0)) dict.fatal("axis", "The axis of rotation must not be zero");
     axis_.normalize();
+    if (plane && axis_.head<2>().norm() > 0) dict.fatal("axis", "A plane case turns about the z axis only: axis (0 0 1)");
 }
 
 Eigen::Vector3d WallMotion::displacement(double t0, double t1) const {

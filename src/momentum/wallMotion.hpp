@@ -33,7 +33,8 @@ struct RigidStep {
 class WallMotion {
 public:
     /// Entries: displacement or velocity; angle or omega, origin, axis. UserError for none or both of a pair.
-    explicit WallMotion(const Dictionary& dict);
+    /// `plane`: also for a z component, or another axis than z.
+    explicit WallMotion(const Dictionary& dict, bool plane = false);
 
     /// The motion from time t0 to t1 [s].
     template <int Dim>

@@ -10,6 +10,7 @@ namespace pfem {
 
 namespace {
 
+template <int Dim>
 Function1Ptr<Eigen::Vector3d> readGravity(const Dictionary& dict) {
     if (dict.found("dimensions")) {
         TokenReader reader = dict.reader("dimensions");
@@ -17,7 +18,7 @@ Function1Ptr<Eigen::Vector3d> readGravity(const Dictionary& dict) {
             dict.fatal("dimensions", "gravity is an acceleration: dimensions [0 1 -2 0 0 0 0]");
         reader.end();
     }
-    return readFunction1<Eigen::Vector3d>(dict, "value");
+    return Dim == 2 ? readPlaneFunction1(dict, "value") : readFunction1<Eigen::Vector3d>(dict, "value");
 }
 
 template <class Options>
@@ -52,7 +53,7 @@ Problem<Dim> readProblem(const Case& theCase, const State<Dim>& state, std::ostr
     checkOneFluid<Dim>(materials, mesh);
 
     const Dictionary g = Dictionary::read(theCase.constant("g"));
-    problem.gravityOverTime = readGravity(g);
+    problem.gravityOverTime = readGravity<Dim>(g);
     problem.gravity = problem.gravityOverTime->value(state.time.value).template head<Dim>();
     const Dictionary conditions = Dictionary::read(theCase.constant("boundaryConditions"));
     problem.conditions = readBoundaryConditions<Dim>(conditions, mesh.patches);

@@ -172,4 +172,27 @@ TEST(Function1, mistakes) {
     EXPECT_THROW(vector("{ type sine; frequency 1; }"), UserError);  // scale is the direction
 }
 
+// A plane case heeds no z: whatever the function's type, one that has it is refused at its line.
+TEST(Function1, zOfAPlaneCase) {
+    const auto line = [](const std::string& entry) {
+        try {
+            readPlaneFunction1(Dictionary::parse("\nf " + entry, "file"), "f");
+        } catch (const UserError& error) {
+            EXPECT_NE(std::string(error.what()).find("z component"), std::string::npos) << error.what();
+            return error.where().line;
+        }
+        return 0;
+    };
+    for (const char* z : {"0", "-9.81"}) {
+        const int expected = z == std::string("0") ? 0 : 2;
+        const auto with = [&](std::string entry) { return entry.replace(entry.find('#'), 1, z); };
+        for (const char* entry :
+             {"(1 0 #);", "constant (1 0 #);", "{ type constant; value (1 0 #); }", "table ((0 (1 0 0)) (1 (0 0 #)));",
+              "polynomial (((1 0 #) (0 0 2)));", "expression (\"t\" \"0\" \"#*t\");", "{ type sine; frequency 1; scale (1 0 #); }",
+              "{ type square; frequency 1; scale (1 0 0); level (0 0 #); }",
+              "{ type scale; scale table ((0 0) (1 1)); value (1 0 #); }"})
+            EXPECT_EQ(line(with(entry)), expected) << with(entry);
+    }
+}
+
 }  // namespace

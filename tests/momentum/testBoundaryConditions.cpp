@@ -88,4 +88,22 @@ TEST(BoundaryConditions, allPatchesWithoutEntryAreNamedAtOnce) {
     }
 }
 
+// What is moved or pulled out of the plane would be so in part only.
+TEST(BoundaryConditions, nothingLeavesThePlane) {
+    const auto with = [](const std::string& floor) { return tank("floor { " + floor + " } sides { type slip; }"); };
+    EXPECT_NO_THROW(with("type slip; motion { velocity (1 2 0); }"));
+    EXPECT_NO_THROW(with("type slip; motion { omega 1; origin (0 0 0.5); axis (0 0 -1); }"));
+    EXPECT_THROW(with("type slip; motion { velocity (1 2 3); }"), UserError);
+    EXPECT_THROW(with("type slip; motion { displacement expression (\"0\" \"0\" \"t\"); }"), UserError);
+    EXPECT_THROW(with("type slip; motion { omega 1; origin (0 0 0); axis (1 0 0); }"), UserError);
+    const auto pulled = [](const std::string& traction) {
+        return makeCase("meshSize 0.1; bodies ( block { type solid; material rubber; " + rectangle(0, 0, 1, 0.5) +
+                            " patches { end { edges ((0 1)); } } } );",
+                        rubber, "end { type traction; traction " + traction + "; }");
+    };
+    EXPECT_NO_THROW(pulled("table ((0 (0 0 0)) (1 (5 0 0)))"));
+    EXPECT_THROW(pulled("(0 0 5)"), UserError);
+    EXPECT_THROW(pulled("table ((0 (0 0 0)) (1 (0 0 5)))"), UserError);
+}
+
 }  // namespace

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "../functions/caseFolder.hpp"
 #include "solver/checkProblem.hpp"
+#include "solver/setup.hpp"
 #include "support/cases.hpp"
 
 using namespace pfem;
@@ -111,6 +113,23 @@ TEST(CheckProblem, doubtsKnowOtherUnitsThanMetres) {
     EXPECT_EQ(doubtsOf("1e-9", 9810, "kappa 2100;"), "");  // mm, t, s
     EXPECT_EQ(doubtsOf("1", 981, "kappa 2.1e10;"), "");    // cm, g, s
     for (const char* rho : {"1e-9", "1"}) EXPECT_NE(doubtsOf(rho, 9.81, "").find("without an entry 'kappa'"), std::string::npos) << rho;
+}
+
+TEST(CheckProblem, gravityLiesInThePlane) {
+    const TestCase c = makeCase(geometry, water + rubber, "tank { type slip; } lid { type slip; } base { type clamped; }");
+    const auto message = [&](const std::string& g) -> std::string {
+        const CaseFolder folder(water + rubber, "tank { type slip; } lid { type slip; } base { type clamped; }", g);
+        try {
+            readProblem<2>(Case(folder.path()), c.state, nullptr);
+        } catch (const UserError& error) {
+            EXPECT_EQ(error.where().line, 1);
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_EQ(message("(1 -9.81 0)"), "");
+    EXPECT_NE(message("(1 0 -9.81)").find("has the z component -9.81"), std::string::npos);
+    EXPECT_NE(message("table ((0 (0 0 0)) (0.01 (0 0 -9.81)))").find("z component"), std::string::npos);
 }
 
 }  // namespace
