@@ -51,7 +51,7 @@ std::string notValid(const std::string& word, const std::string& what,
     std::string text = "Unknown " + what + " " + word;
     const std::string near = nearestWord(word, sorted);
     if (!near.empty()) text += " (did you mean '" + near + "'?)";
-    text += "\n\nValid " + what + (what.ends_with("ch") ? "es" : "s") + " :\n\n" + std::to_string(sorted.size()) + "\n(\n";
+    text += "\n\nValid " + what + (what.ends_with("ch") ? "es" : what.ends_with("s") ? "" : "s") + " :\n\n" + std::to_string(sorted.size()) + "\n(\n";
     for (const auto& w : sorted) text += w + "\n";
     return text + ")";
 }

@@ -33,7 +33,7 @@ public:
         for (vtkIdType i = 0; i < grid_->GetNumberOfPoints(); ++i) {
             grid_->GetPoint(i, x);
             if (!std::isfinite(x[0]) || !std::isfinite(x[1])) fail(fmt::format("point {} is not finite", i));
-            if (x[2] != 0) fail(fmt::format("point {} leaves the plane z = 0", i));
+            if (std::abs(x[2]) > 1e-6 * grid_->GetLength()) fail(fmt::format("point {} leaves the plane z = 0", i));
             mesh_.x.push_back({x[0], x[1]});
         }
         for (vtkIdType e = 0; e < grid_->GetNumberOfCells(); ++e) addCell(e);

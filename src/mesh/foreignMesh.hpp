@@ -26,6 +26,7 @@ struct ForeignMesh {
     std::vector<Element<3>> triangles;
     std::vector<Element<2>> edges;
     std::vector<Group> groups;
+    std::string remark;  // on its groups, for whoever looks for one in vain
 
     /// Index of the group, -1 where there is none.
     int groupNamed(int dimension, const std::string& name) const {

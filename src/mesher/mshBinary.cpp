@@ -13,8 +13,10 @@ namespace {
 /// The line of $MeshFormat: version, kind and size of the numbers.
 std::string formatLine(const std::string& content) {
     const std::string head = "$MeshFormat";
-    const auto end = content.find('\n');
-    if (content.compare(0, head.size(), head) != 0 || end == std::string::npos) return "";
+    auto begin = content.find(head);
+    while (begin != std::string::npos && begin > 0 && content[begin - 1] != '\n') begin = content.find(head, begin + 1);
+    const auto end = content.find('\n', begin);
+    if (begin == std::string::npos || end == std::string::npos) return "";
     return content.substr(end + 1, content.find('\n', end + 1) - end - 1);
 }
 
@@ -26,7 +28,12 @@ public:
     BinaryMsh(const std::string& content, const std::string& name) : bytes_(content, name) {}
 
     std::string text() {
-        bytes_.line();
+        while (!bytes_.atEnd()) section(bytes_.line());
+        return std::move(text_);
+    }
+
+private:
+    void format() {
         const std::string format = bytes_.line(), version = format.substr(0, 3);
         new_ = version == "4.1";
         if (!new_ && version != "2.2")
@@ -35,25 +42,30 @@ public:
             bytes_.fail("its numbers have not 8 bytes: save it as text (Mesh.Binary = 0)");
         if (bytes_.take<std::int32_t>() != 1)
             bytes_.fail("its bytes are in the other order: save it as text (Mesh.Binary = 0)");
-        bytes_.expect("$EndMeshFormat");
-        put("$MeshFormat\n{} 0 8\n$EndMeshFormat\n", version);
-        while (!bytes_.atEnd()) section(bytes_.line());
-        return std::move(text_);
+        put("{} 0 8\n", version);
+        known_ = true;
     }
 
-private:
     void section(const std::string& head) {
         if (head.empty()) return;
         if (head[0] != '$')
             bytes_.fail(fmt::format("a section like $Nodes expected before byte {}", bytes_.at()));
         const std::string name = head.substr(1), end = "$End" + name;
         put("{}\n", head);
-        if (name == "PhysicalNames")
+        if (name == "MeshFormat")
+            format();
+        else if (name == "PhysicalNames")
             put("{}", bytes_.before(end));
         else if (name == "Entities" && new_)
             entities();
+        else if (name == "PartitionedEntities" && new_)
+            partitionedEntities();
+        else if (!known_ && (name == "Nodes" || name == "ParametricNodes" || name == "Elements"))
+            bytes_.fail(head + " comes before $MeshFormat");
         else if (name == "Nodes")
-            new_ ? nodes4() : nodes2();
+            new_ ? nodes4() : nodes2(false);
+        else if (name == "ParametricNodes" && !new_)
+            nodes2(true);
         else if (name == "Elements")
             new_ ? elements4() : elements2();
         else
@@ -66,21 +78,46 @@ private:
         const auto counts = copyCounts();
         for (std::size_t dimension = 0; dimension < counts.size(); ++dimension)
             for (std::size_t k = 0; k < counts[dimension]; ++k) {
-                copy<std::int32_t>(1);                                         // its tag
-                copy<double>(dimension == 0 ? 3 : 6);                          // place or box
-                for (int list = 0; list < (dimension == 0 ? 1 : 2); ++list) {  // groups; boundary
-                    const std::size_t n = bytes_.takeCount();
-                    put("{} ", n);
-                    copy<std::int32_t>(n);
-                }
-                put("\n");
+                copy<std::int32_t>(1);  // its tag
+                entity(dimension);
             }
     }
 
-    void nodes2() {
+    void partitionedEntities() {
+        put("{}\n", bytes_.takeCount());  // how many parts
+        const std::size_t ghosts = bytes_.takeCount();
+        put("{}\n", ghosts);
+        for (std::size_t k = 0; k < ghosts; ++k) {
+            copy<std::int32_t>(2);
+            put("\n");
+        }
+        const auto counts = copyCounts();
+        for (std::size_t dimension = 0; dimension < counts.size(); ++dimension)
+            for (std::size_t k = 0; k < counts[dimension]; ++k) {
+                copy<std::int32_t>(3);  // its tag; dimension and tag of what it is a part of
+                copyList();             // the parts
+                entity(dimension);
+            }
+    }
+
+    /// Place, groups and boundary of an entity.
+    void entity(std::size_t dimension) {
+        copy<double>(dimension == 0 ? 3 : 6);
+        copyList();
+        if (dimension > 0) copyList();
+        put("\n");
+    }
+
+    /// `parametric`: dimension and tag of the node's entity follow, and its places on a curve or a surface.
+    void nodes2(bool parametric) {
         for (std::size_t n = copyCountLine(); n > 0; --n) {
             copy<std::int32_t>(1);
             copy<double>(3);
+            if (parametric) {
+                const auto dimension = bytes_.take<std::int32_t>(), entity = bytes_.take<std::int32_t>();
+                put("{} {} ", dimension, entity);
+                copy<double>(dimension == 1 || dimension == 2 ? static_cast<std::size_t>(dimension) : 0);
+            }
             put("\n");
         }
     }
@@ -160,13 +197,20 @@ private:
     void put(fmt::format_string<const Values&...> format, const Values&... values) {
         fmt::format_to(std::back_inserter(text_), format, values...);
     }
+    /// A number of whole numbers, and these.
+    void copyList() {
+        const std::size_t n = bytes_.takeCount();
+        put("{} ", n);
+        copy<std::int32_t>(n);
+    }
     template <class T>
     void copy(std::size_t n) {
         for (; n > 0; --n) put("{} ", bytes_.take<T>());
     }
 
     MshBytes bytes_;
-    bool new_ = false;  // 4.1
+    bool known_ = false;  // the format
+    bool new_ = false;    // 4.1
     std::string text_;
 };
 

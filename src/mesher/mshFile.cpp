@@ -1,14 +1,13 @@
 #include <fmt/format.h>
 
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
+#include <algorithm>
+#include <cmath>
 #include <map>
-#include <set>
 
+#include "dictionary/files.hpp"
 #include "mesher/meshFile.hpp"
 #include "mesher/mshBinary.hpp"
-#include "mesher/mshLines.hpp"
+#include "mesher/mshGroups.hpp"
 
 namespace pfem {
 
@@ -18,30 +17,59 @@ class MshReader {
 public:
     MshReader(MshLines lines, std::string file) : lines_(std::move(lines)) { mesh_.file = std::move(file); }
 
+    /// Whatever the order of the sections; those that are not needed are stepped over.
     ForeignMesh read() {
-        std::set<std::string> seen;
-        while (lines_.next()) {
-            if (lines_.word(0).front() != '$') lines_.fail(fmt::format("a section like $Nodes expected, '{}' found", lines_.word(0)));
-            const std::string section(lines_.word(0).substr(1));
-            if (section != "MeshFormat" && !seen.count("MeshFormat")) lines_.fail("it does not begin with $MeshFormat");
-            if (!seen.insert(section).second && section != "Comments") lines_.fail("a second $" + section);
-            if (section == "MeshFormat") readFormat();
-            else if (section == "PhysicalNames") readNames();
-            else if (section == "Entities" && new_) readEntities();
-            else if (section == "Nodes") new_ ? readNodes4() : readNodes2();
-            else if (section == "Elements") new_ ? readElements4() : readElements2();
-            skipTo("$End" + section);
-        }
-        for (const char* section : {"Nodes", "Elements"})
-            if (!seen.count(section)) lines_.fail(fmt::format("there is no ${}", section));
+        findSections();
+        demandSection("MeshFormat");
+        readFormat();
+        if (goTo("PhysicalNames")) groups_.readNames(lines_);
+        if (new_ && goTo("Entities")) groups_.readEntities(lines_);
+        if (new_ && goTo("PartitionedEntities")) groups_.readPartitionedEntities(lines_);
+        demandSection("Nodes");
+        new_ ? readNodes4() : readNodes2();
+        checkPlane();
+        demandSection("Elements");
+        new_ ? readElements4() : readElements2();
+        if (!inGroup_)
+            mesh_.remark = new_ ? "No element of it is in a physical group."
+                                : "No element of it is in a physical group. (With Mesh.SaveAll = 1 Gmsh leaves them out of format 2.2: save "
+                                  "without it, or in format 4.1.)";
         return std::move(mesh_);
     }
 
 private:
+    /// One of these would contradict another one of its name; all others may come as often as they like.
+    static bool isSingle(const std::string& section) {
+        static const std::vector<std::string> names = {"MeshFormat", "PhysicalNames", "Entities", "PartitionedEntities", "Nodes", "Elements"};
+        return std::find(names.begin(), names.end(), section) != names.end();
+    }
+
+    void findSections() {
+        while (lines_.next()) {
+            if (lines_.word(0).front() != '$') lines_.fail(fmt::format("a section like $Nodes expected, '{}' found", lines_.word(0)));
+            const std::string name(lines_.word(0).substr(1));
+            // 2.2 with places on the geometry behind each node's coordinates
+            const std::string section = name == "ParametricNodes" ? "Nodes" : name;
+            if (isSingle(section) && !sections_.emplace(section, lines_.place()).second) lines_.fail("a second $" + name);
+            skipTo("$End" + name);
+        }
+        end_ = lines_.place();
+    }
+
     void skipTo(const std::string& end) {
         while (lines_.next())
             if (lines_.word(0) == end) return;
         lines_.fail("the file ends without " + end);
+    }
+
+    bool goTo(const std::string& section) {
+        const auto found = sections_.find(section);
+        lines_.goTo(found == sections_.end() ? end_ : found->second);
+        return found != sections_.end();
+    }
+
+    void demandSection(const std::string& section) {
+        if (!goTo(section)) lines_.fail(fmt::format("there is no ${}", section));
     }
 
     void readFormat() {
@@ -53,36 +81,20 @@ private:
         new_ = version == "4.1";
     }
 
-    void readNames() {
-        lines_.demand("PhysicalNames", 1);
-        for (long n = lines_.count(0); n > 0; --n) {
-            lines_.demand("PhysicalNames", 3);
-            const auto begin = lines_.text().find('"'), end = lines_.text().rfind('"');
-            if (begin == std::string::npos || end <= begin) lines_.fail("a name in quotes expected");
-            names_[{static_cast<int>(lines_.whole(0)), lines_.whole(1)}] = lines_.text().substr(begin + 1, end - begin - 1);
-        }
-    }
-
-    /// 4.1: the physical groups of points (skipped), curves and surfaces.
-    void readEntities() {
-        lines_.demand("Entities", 4);
-        const std::array<long, 3> counts = {lines_.count(0), lines_.count(1), lines_.count(2)};
-        if (lines_.count(3) > 0) lines_.fail("it has volumes: a mesh of the plane is needed");
-        for (int dimension = 0; dimension < 3; ++dimension)
-            for (long n = counts[dimension]; n > 0; --n) {
-                const std::size_t at = dimension == 0 ? 4 : 7;
-                lines_.demand("Entities", at + 1);
-                const long groups = lines_.count(at);
-                lines_.need(at + 1 + static_cast<std::size_t>(groups));
-                for (long k = 0; k < groups; ++k)
-                    entityGroups_[{dimension, lines_.whole(0)}].push_back(std::abs(lines_.whole(at + 1 + static_cast<std::size_t>(k))));
-            }
-    }
-
     void addNode(long tag, std::size_t first) {
-        if (lines_.real(first + 2) != 0) lines_.fail("the node leaves the plane z = 0");
+        const double z = std::abs(lines_.real(first + 2));
+        if (z > highest_.z) highest_ = {z, lines_.number()};
         if (!index_.emplace(tag, static_cast<int>(mesh_.x.size())).second) lines_.fail(fmt::format("a second node {}", tag));
         mesh_.x.push_back({lines_.real(first), lines_.real(first + 1)});
+    }
+
+    /// Geometry that was turned or moved in space lies in the plane but for rounding.
+    void checkPlane() const {
+        if (mesh_.x.empty()) return;
+        Vec<2> low = mesh_.x.front(), high = low;
+        for (const auto& x : mesh_.x) low = low.cwiseMin(x), high = high.cwiseMax(x);
+        if (highest_.z > 1e-6 * (high - low).norm())
+            lines_.fail(fmt::format("the node leaves the plane z = 0 by {:g}", highest_.z), highest_.line);
     }
 
     void readNodes2() {
@@ -116,8 +128,8 @@ private:
             lines_.demand("Elements", 3);
             const long tags = lines_.count(2);
             lines_.need(3 + static_cast<std::size_t>(tags));
-            const long physical = tags > 0 ? lines_.whole(3) : 0;
-            addElement(lines_.whole(1), 3 + static_cast<std::size_t>(tags), physical == 0 ? std::vector<long>{} : std::vector<long>{physical});
+            const long physical = tags > 0 ? lines_.whole(3) : 0, entity = tags > 1 ? lines_.whole(4) : 0;
+            addElement(lines_.whole(1), 3 + static_cast<std::size_t>(tags), entity, physical == 0 ? std::vector<long>{} : std::vector<long>{physical});
         }
     }
 
@@ -127,23 +139,25 @@ private:
             lines_.demand("Elements", 4);
             const int dimension = static_cast<int>(lines_.whole(0));
             const long entity = lines_.whole(1), type = lines_.whole(2);
-            const auto& groups = entityGroups_[{dimension, entity}];
+            const auto& groups = groups_.of(dimension, entity);
             for (long n = lines_.count(3); n > 0; --n) {
                 lines_.demand("Elements", 2);
-                addElement(type, 1, groups);
+                addElement(type, 1, entity, groups);
             }
         }
     }
 
-    /// Once for each of its groups.
-    void addElement(long type, std::size_t first, const std::vector<long>& groups) {
+    /// Once for each of its groups; without any it is in one that is called as its entity.
+    void addElement(long type, std::size_t first, long entity, const std::vector<long>& groups) {
         if (type == 15) return;  // a point
         if (type == 8 || type == 9) lines_.fail("elements of second order: mesh with order 1");
         if (type == 3) lines_.fail("a quadrangle: mesh with triangles");
         if (type != 1 && type != 2) lines_.fail(fmt::format("Gmsh's element type {}: only lines (1) and triangles (2) are possible", type));
         lines_.need(first + (type == 1 ? 2 : 3));
-        if (groups.empty()) add(type, first, -1);
-        for (const long tag : groups) add(type, first, groupOf(static_cast<int>(type), tag));
+        const int dimension = static_cast<int>(type);
+        if (groups.empty()) add(type, first, entity == 0 ? -1 : groupNamed(dimension, fmt::format("{} {}", type == 1 ? "curve" : "surface", entity)));
+        for (const long tag : groups) add(type, first, groupNamed(dimension, groups_.name(dimension, tag)));
+        inGroup_ = inGroup_ || !groups.empty();
     }
 
     void add(long type, std::size_t first, int group) {
@@ -159,19 +173,25 @@ private:
         return found->second;
     }
 
-    int groupOf(int dimension, long tag) {
-        const auto named = names_.find({dimension, tag});
-        const std::string name = named != names_.end() ? named->second : std::to_string(tag);
+    int groupNamed(int dimension, const std::string& name) {
         if (const int known = mesh_.groupNamed(dimension, name); known >= 0) return known;
         mesh_.groups.push_back({dimension, name});
         return static_cast<int>(mesh_.groups.size()) - 1;
     }
 
+    struct Highest {
+        double z = 0;
+        int line = 0;
+    };
+
     MshLines lines_;
+    std::map<std::string, MshLines::Place> sections_;  // behind their first lines
+    MshLines::Place end_;
     bool new_ = false;  // 4.1
-    std::map<std::pair<int, long>, std::string> names_;
-    std::map<std::pair<int, long>, std::vector<long>> entityGroups_;
+    MshGroups groups_;
     std::map<long, int> index_;  // node tag -> index
+    Highest highest_;
+    bool inGroup_ = false;  // any element
     ForeignMesh mesh_;
 };
 
@@ -179,9 +199,7 @@ private:
 
 ForeignMesh readMsh(const std::filesystem::path& file) {
     const std::string name = file.string();
-    std::ifstream stream(file, std::ios::binary);
-    std::string content(std::istreambuf_iterator<char>(stream), {});
-    if (!stream.is_open() || stream.bad()) throw UserError("cannot read file \"" + name + "\"", {name, 0});
+    std::string content = fileText(file, {});
     const bool binary = isBinaryMsh(content);
     if (binary) content = textOfBinaryMsh(content, name);
     return MshReader(MshLines(std::move(content), name, !binary), name).read();

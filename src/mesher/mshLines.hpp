@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,13 +18,24 @@ namespace pfem {
 /// (the text of a binary file has lines that nobody sees).
 class MshLines {
 public:
-    MshLines(std::string text, std::string name, bool numbered)
-        : name_(std::move(name)), stream_(std::move(text)), numbered_(numbered) {}
+    MshLines(std::string content, std::string name, bool numbered)
+        : name_(std::move(name)), content_(std::move(content)), numbered_(numbered) {}
+
+    /// A place between two lines.
+    struct Place {
+        std::size_t at = 0;
+        int number = 0;
+    };
+    Place place() const { return place_; }
+    /// What follows `place` is read next.
+    void goTo(Place place) { place_ = place; }
 
     /// The next line that is not empty; false at the end of the file.
     bool next() {
-        while (std::getline(stream_, text_)) {
-            ++number_;
+        while (place_.at < content_.size()) {
+            const std::size_t end = std::min(content_.find('\n', place_.at), content_.size());
+            text_ = content_.substr(place_.at, end - place_.at);
+            place_ = {end + 1, place_.number + 1};
             split();
             if (!words_.empty()) return true;
         }
@@ -40,7 +51,7 @@ public:
     std::string_view word(std::size_t i) const { return words_[i]; }
     std::size_t size() const { return words_.size(); }
     const std::string& text() const { return text_; }
-    int number() const { return numbered_ ? number_ : 0; }
+    int number() const { return numbered_ ? place_.number : 0; }
 
     double real(std::size_t i) const {
         const double value = parse<double>(i);
@@ -57,8 +68,9 @@ public:
     void need(std::size_t least) const {
         if (words_.size() < least) fail(fmt::format("{} numbers expected, {} found", least, words_.size()));
     }
-    [[noreturn]] void fail(const std::string& message) const {
-        throw UserError("cannot take the mesh of \"" + name_ + "\": " + message, {name_, number()});
+    [[noreturn]] void fail(const std::string& message) const { fail(message, number()); }
+    [[noreturn]] void fail(const std::string& message, int line) const {
+        throw UserError("cannot take the mesh of \"" + name_ + "\": " + message, {name_, line});
     }
 
 private:
@@ -80,11 +92,10 @@ private:
         }
     }
 
-    std::string name_, text_;
-    std::istringstream stream_;
+    std::string name_, content_, text_;
     bool numbered_;
     std::vector<std::string_view> words_;
-    int number_ = 0;
+    Place place_;  // behind the present line
 };
 
 }  // namespace pfem

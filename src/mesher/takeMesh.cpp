@@ -51,7 +51,9 @@ private:
         const int group = file_.groupNamed(dimension, name);
         if (group < 0)
             throw UserError(notValid(name, dimension == 2 ? "group of triangles" : "group of edges",
-                                     file_.groupNames(dimension)) + "\nThey are those of " + file_.file, where);
+                                     file_.groupNames(dimension)) + "\nThey are those of " + file_.file +
+                                (file_.remark.empty() ? "" : "\n" + file_.remark),
+                            where);
         return group;
     }
 
@@ -156,6 +158,7 @@ private:
                 if (wall.name == name)
                     throw UserError(fmt::format("patch '{}' of body '{}' has the name of a wall", name, body.name), body.at("patches"));
             const int group = groupOf(1, groupName, body.at("patches"));
+            std::set<Face<2>> known;  // an edge of two entities may come twice
             for (const auto& e : file_.edges) {
                 if (e.group != group) continue;
                 const int a = draftNode_[joined_[e.nodes[0]]], b = draftNode_[joined_[e.nodes[1]]];
@@ -163,7 +166,8 @@ private:
                 if (!forward && !own.count({b, a}))
                     fail(e.line, fmt::format("the edge at {} of patch '{}' is not on the outline of body '{}'",
                                              place(e.nodes[0]), name, body.name));
-                patchNamed(draft_.mesh, name).faces.push_back(forward ? Face<2>{a, b} : Face<2>{b, a});
+                const Face<2> face = forward ? Face<2>{a, b} : Face<2>{b, a};
+                if (known.insert(face).second) patchNamed(draft_.mesh, name).faces.push_back(face);
             }
         }
     }
@@ -176,8 +180,12 @@ private:
         }
         const int group = groupOf(1, wall.group, wall.at(wall.places.count("group") ? "group" : ""));
         std::vector<WallEdge> edges;
-        for (const auto& e : file_.edges)
-            if (e.group == group) edges.push_back({{node(e.nodes[0]), node(e.nodes[1])}, e.line});
+        std::set<std::pair<int, int>> known;
+        for (const auto& e : file_.edges) {
+            if (e.group != group) continue;
+            const int a = node(e.nodes[0]), b = node(e.nodes[1]);
+            if (known.insert(std::minmax(a, b)).second) edges.push_back({{a, b}, e.line});
+        }
         for (const auto& edge : edges)
             for (const int i : edge.nodes)
                 if (draft_.h[i] == 0) draft_.h[i] = wall.meshSize > 0 ? wall.meshSize : meanSize();

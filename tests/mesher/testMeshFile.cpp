@@ -3,118 +3,30 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-
-#include "cases.hpp"
 #include "io/stateFiles.hpp"
-#include "mesher/meshFile.hpp"
+#include "mshCase.hpp"
 
 using namespace pfem;
 using namespace pfem::testing;
 
 namespace {
 
-struct Folder {
-    Folder() : path(std::filesystem::temp_directory_path() / ("pfemMeshFile" + std::to_string(getpid()))) {
-        std::filesystem::create_directories(path);
-    }
-    ~Folder() { std::filesystem::remove_all(path); }
-    std::filesystem::path write(const std::string& name, const std::string& text) const {
-        std::ofstream(path / name) << text;
-        return path / name;
-    }
-    std::filesystem::path path;
-};
-
-/// Triangles: group 1 is the fluid, 2 the solid; edges: one group per patch, from 11 on. Every second triangle runs clockwise.
-std::string elements2(const State<2>& state, int& n) {
-    std::string text;
-    int body = 0;
-    for (const auto* cells : {&state.mesh.fluid, &state.mesh.solid}) {
-        ++body;
-        for (const auto& t : cells->nodes) {
-            ++n;
-            text += fmt::format("{} 2 2 {} 1 {} {} {}\n", n, body, t[0] + 1, t[n % 2 + 1] + 1, t[2 - n % 2] + 1);
-        }
-    }
-    for (std::size_t k = 0; k < state.mesh.patches.size(); ++k)
-        for (const auto& face : state.mesh.patches[k].faces)
-            text += fmt::format("{} 1 2 {} 1 {} {}\n", ++n, 11 + k, face[1] + 1, face[0] + 1);
-    return text;
+State<2> scaledBy(double factor, State<2> state) {
+    for (auto& x : state.nodes.x) x *= factor;
+    return state;
 }
 
-std::string names(const State<2>& state) {
-    std::string text = fmt::format("$PhysicalNames\n{}\n2 1 \"water\"\n2 2 \"wall\"\n", 2 + state.mesh.patches.size());
-    for (std::size_t k = 0; k < state.mesh.patches.size(); ++k)
-        text += fmt::format("1 {} \"{}\"\n", 11 + k, state.mesh.patches[k].name);
-    return text + "$EndPhysicalNames\n";
-}
-
-std::string msh2(const State<2>& state, double scale = 1) {
-    std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n" + names(state) + fmt::format("$Nodes\n{}\n", state.nodes.size());
-    for (int i = 0; i < state.nodes.size(); ++i)
-        text += fmt::format("{} {} {} 0\n", i + 1, scale * state.nodes.x[i][0], scale * state.nodes.x[i][1]);
-    int n = 0;
-    const std::string elements = elements2(state, n);
-    return text + fmt::format("$EndNodes\n$Elements\n{}\n{}$EndElements\n", n, elements);
-}
-
-std::string msh4(const State<2>& state) {
-    const auto& patches = state.mesh.patches;
-    std::string text = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n" + names(state);
-    text += fmt::format("$Entities\n0 {} 2 0\n", patches.size());
-    for (std::size_t k = 0; k < patches.size(); ++k) text += fmt::format("{} 0 0 0 1 1 0 1 {} 0\n", 21 + k, 11 + k);
-    text += "1 0 0 0 1 1 0 1 1 0\n2 0 0 0 1 1 0 1 2 0\n$EndEntities\n";
-    text += fmt::format("$Nodes\n1 {0} 1 {0}\n2 1 0 {0}\n", state.nodes.size());
-    for (int i = 0; i < state.nodes.size(); ++i) text += fmt::format("{}\n", i + 1);
-    for (const auto& x : state.nodes.x) text += fmt::format("{} {} 0\n", x[0], x[1]);
-    text += fmt::format("$EndNodes\n$Elements\n{0} {1} 1 {1}\n", 2 + patches.size(), 1);
-    int n = 0, body = 0;
-    for (const auto* cells : {&state.mesh.fluid, &state.mesh.solid}) {
-        text += fmt::format("2 {} 2 {}\n", ++body, cells->size());
-        for (const auto& t : cells->nodes) text += fmt::format("{} {} {} {}\n", ++n, t[0] + 1, t[1] + 1, t[2] + 1);
-    }
-    for (std::size_t k = 0; k < patches.size(); ++k) {
-        text += fmt::format("1 {} 1 {}\n", 21 + k, patches[k].faces.size());
-        for (const auto& face : patches[k].faces) text += fmt::format("{} {} {}\n", ++n, face[0] + 1, face[1] + 1);
-    }
-    return text + "$EndElements\n";
-}
-
-MeshDescription fileDict(const std::string& bodies, const std::string& walls, const std::string& more = "") {
-    return describe("meshFile \"x.msh\"; " + more + " bodies { " + bodies + " } walls { " + walls + " }");
-}
-
-const std::string bodies =
-    "water { type fluid; material water; } "
-    "beam { type solid; material rubber; group wall; patches { wallBase { } } }";
-const std::string tank = "tank { points ((0 0.6) (0 0) (0.596 0) (0.596 0.6)); }";
-
-void expectSame(const State<2>& a, const State<2>& b) {
-    expectSound(b);
-    EXPECT_EQ(a.nodes.size(), b.nodes.size());
-    EXPECT_EQ(a.mesh.fluid.size(), b.mesh.fluid.size());
-    EXPECT_EQ(a.mesh.solid.size(), b.mesh.solid.size());
-    EXPECT_EQ(a.mesh.materials, b.mesh.materials);
-    for (const auto& patch : a.mesh.patches) {
-        EXPECT_EQ(patch.faces.size(), patchOf(b, patch.name).faces.size()) << patch.name;
-        EXPECT_NEAR(lengthOf(a, patch.name), lengthOf(b, patch.name), 1e-9) << patch.name;
-    }
-    const auto sliding = [](const State<2>& s) {
-        return std::count_if(s.nodes.wall.begin(), s.nodes.wall.end(), [](int w) { return w >= 0; });
-    };
-    EXPECT_EQ(sliding(a), sliding(b));
-}
+const std::string& bodies = fileBodies;
+const std::string& tank = fileTank;
 
 TEST(MeshFile, Msh2AndMsh4GiveTheSameStateAgain) {
     const Folder folder;
     const State<2> state = meshOf(damBreakElasticWall(), 0.01).state;
-    const auto two = takeMesh(fileDict(bodies, tank), readMsh(folder.write("a.msh", msh2(state))));
+    const auto two = takeMesh(fileDict(bodies, tank), readMsh(folder.write("a.msh", mshText(state, {}))));
     expectSame(state, two.state);
-    const auto four = takeMesh(fileDict(bodies, tank), readMsh(folder.write("b.msh", msh4(state))));
+    const auto four = takeMesh(fileDict(bodies, tank), readMsh(folder.write("b.msh", mshText(state, {.four = true}))));
     expectSame(state, four.state);
-    const auto scaled = takeMesh(fileDict(bodies, tank, "scale 0.001;"), readMsh(folder.write("c.msh", msh2(state, 1000))));
+    const auto scaled = takeMesh(fileDict(bodies, tank, "scale 0.001;"), readMsh(folder.write("c.msh", mshText(scaledBy(1000, state), {}))));
     expectSame(state, scaled.state);
     EXPECT_NEAR(two.bodies[0].area, 0.146 * 0.292, 1e-12);
     EXPECT_NEAR(two.bodies[1].perimeter, 2 * (0.012 + 0.08), 1e-12);
@@ -137,7 +49,7 @@ TEST(MeshFile, WallsMayBeGroupsOfEdges) {
         }
         ASSERT_GT(patch.faces.size(), 10u);
     }
-    const auto result = takeMesh(fileDict(bodies, "tank { }"), readMsh(folder.write("a.msh", msh2(fine))));
+    const auto result = takeMesh(fileDict(bodies, "tank { }"), readMsh(folder.write("a.msh", mshText(fine, {}))));
     EXPECT_EQ(patchOf(result.state, "tank").faces.size(), 2u);  // floor and side under the water, each straight
     EXPECT_NEAR(lengthOf(result.state, "tank"), 0.146 + 0.292, 1e-9);
 }
@@ -151,6 +63,11 @@ TEST(MeshFile, VtuOfATimeFolderGivesItsFluidAgain) {
     expectSound(result.state);
     EXPECT_EQ(result.state.mesh.fluid.size(), state.mesh.fluid.size());
     EXPECT_EQ(result.state.mesh.materials, std::vector<std::string>{"oil"});
+
+    std::ifstream stream(folder.path / "0" / "fluid.vtu", std::ios::binary);
+    const std::string text(std::istreambuf_iterator<char>(stream), {});
+    const auto marked = readMeshFile(folder.write("marked.vtu", "\xEF\xBB\xBF" + text), "material");  // byte order mark
+    EXPECT_EQ(marked.triangles.size(), file.triangles.size());
 }
 
 /// A square of two triangles with a wall below; line 15 on are the elements.

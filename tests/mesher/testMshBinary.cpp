@@ -110,7 +110,9 @@ TEST(MshBinary, EveryCutAndEveryFlippedByteIsSafe) {
         for (std::size_t n = whole.find("$EndMeshFormat"); n < whole.size(); ++n) {
             const std::string cut = whole.substr(0, n);
             const bool betweenSections = messageOf(cut).empty();
-            if (betweenSections) EXPECT_EQ(words(textOfBinaryMsh(whole, "x")).find(words(textOfBinaryMsh(cut, "x"))), 0u) << n;
+            if (betweenSections) {
+                EXPECT_EQ(words(textOfBinaryMsh(whole, "x")).find(words(textOfBinaryMsh(cut, "x"))), 0u) << n;
+            }
             std::string flipped = whole;
             for (const int bits : {1, 0x80, 0xff}) {
                 flipped[n] = static_cast<char>(whole[n] ^ bits);
