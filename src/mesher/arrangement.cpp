@@ -18,35 +18,49 @@ struct RawEdge {
     bool fixed;
 };
 
-int findOrAdd(Points<2>& vertices, const Vec<2>& x, double tolerance) {
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-        if ((vertices[i] - x).norm() <= tolerance) return static_cast<int>(i);
-    vertices.push_back(x);
-    return static_cast<int>(vertices.size()) - 1;
-}
+/// The vertices found so far, in order and by their x coordinate.
+struct Vertices {
+    Points<2> x;
+    std::multimap<double, int> byX;
+
+    /// The first one within `tolerance`, or a new one.
+    int findOrAdd(const Vec<2>& point, double tolerance) {
+        int found = -1;
+        for (auto it = byX.lower_bound(point.x() - tolerance); it != byX.end() && it->first <= point.x() + tolerance; ++it)
+            if ((x[it->second] - point).norm() <= tolerance && (found < 0 || it->second < found)) found = it->second;
+        if (found >= 0) return found;
+        x.push_back(point);
+        byX.emplace(point.x(), static_cast<int>(x.size()) - 1);
+        return static_cast<int>(x.size()) - 1;
+    }
+};
 
 void addEdges(const Outline& outline, int index, const std::vector<int>& divisions, double tolerance,
-              Points<2>& vertices, std::vector<RawEdge>& edges) {
+              Vertices& vertices, std::vector<RawEdge>& edges) {
     for (int e = 0; e < outline.nEdges(); ++e) {
         const Curve curve = edgeCurve(outline, e);
         const int n = divisions.empty() ? 1 : divisions[e];
-        int a = findOrAdd(vertices, curve.point(0), tolerance);
+        int a = vertices.findOrAdd(curve.point(0), tolerance);
         for (int i = 0; i < n; ++i) {
             const double s0 = double(i) / n, s1 = double(i + 1) / n;
-            const int b = findOrAdd(vertices, curve.point(s1), tolerance);
-            edges.push_back(
-                {a, b, curve.part(s0, s1, vertices[a], vertices[b]), index, e, !divisions.empty()});
+            const int b = vertices.findOrAdd(curve.point(s1), tolerance);
+            if (a != b)
+                edges.push_back({a, b, curve.part(s0, s1, vertices.x[a], vertices.x[b]), index, e, !divisions.empty()});
             a = b;
         }
     }
 }
 
 /// The vertices inside the edge, in order: pairs of parameter and vertex, with both ends.
-std::vector<std::pair<double, int>> cuts(const RawEdge& e, const Points<2>& vertices, double tolerance) {
+std::vector<std::pair<double, int>> cuts(const RawEdge& e, const Vertices& vertices, double tolerance) {
     std::vector<std::pair<double, int>> at = {{0.0, e.a}, {1.0, e.b}};
-    for (int v = 0; v < static_cast<int>(vertices.size()); ++v) {
+    const auto [low, high] = std::minmax(vertices.x[e.a].x(), vertices.x[e.b].x());
+    auto it = e.curve.isArc() ? vertices.byX.begin() : vertices.byX.lower_bound(low - tolerance);
+    const auto end = e.curve.isArc() ? vertices.byX.end() : vertices.byX.upper_bound(high + tolerance);
+    for (; it != end; ++it) {
+        const int v = it->second;
         if (v == e.a || v == e.b) continue;
-        if (const auto s = e.curve.parameterOf(vertices[v], tolerance)) at.emplace_back(*s, v);
+        if (const auto s = e.curve.parameterOf(vertices.x[v], tolerance)) at.emplace_back(*s, v);
     }
     std::sort(at.begin(), at.end());
     return at;
@@ -61,12 +75,35 @@ std::vector<std::pair<double, int>> cuts(const RawEdge& e, const Points<2>& vert
         body.at("pattern"));
 }
 
+/// The rim of a hole, and of the same body the outline or the rim of another hole in the other direction: the body is
+/// on neither side.
+void cancelHoles(std::vector<PieceUse>& uses) {
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+        if (uses[i].edge >= 0) continue;
+        const PieceUse rim = uses[i];
+        const auto other = std::find_if(uses.begin(), uses.end(), [&](const PieceUse& use) {
+            return use.outline == rim.outline && use.forward != rim.forward;
+        });
+        if (other == uses.end()) continue;
+        const auto j = static_cast<std::size_t>(other - uses.begin());
+        uses.erase(uses.begin() + static_cast<long>(std::max(i, j)));
+        uses.erase(uses.begin() + static_cast<long>(std::min(i, j)));
+        i = static_cast<std::size_t>(-1);  // from the beginning
+    }
+}
+
 }  // namespace
+
+bool Arrangement::bounds(int piece, int body, bool rim) const {
+    const auto& uses = pieces[piece].uses;
+    return std::any_of(uses.begin(), uses.end(), [&](const PieceUse& use) { return use.outline == body && (use.edge < 0) == rim; });
+}
 
 Arrangement arrange(const MeshDescription& mesh, double tolerance) {
     Arrangement result;
     result.nBodies = static_cast<int>(mesh.bodies.size());
     std::vector<RawEdge> edges;
+    Vertices vertices;
     int index = 0;
     for (const auto& body : mesh.bodies) {
         std::vector<int> divisions;
@@ -74,14 +111,15 @@ Arrangement arrange(const MeshDescription& mesh, double tolerance) {
             const auto [nx, ny] = patternCells(mesh, body);
             divisions = {nx, ny, nx, ny};
         }
-        addEdges(body, index++, divisions, tolerance, result.vertices, edges);
+        addEdges(body, index++, divisions, tolerance, vertices, edges);
     }
-    for (const auto& wall : mesh.walls) addEdges(wall, index++, {}, tolerance, result.vertices, edges);
+    for (const auto& wall : mesh.walls) addEdges(wall, index++, {}, tolerance, vertices, edges);
+    result.vertices = vertices.x;
 
     result.chains.resize(index);
     std::multimap<std::pair<int, int>, int> known;  // ends -> piece
     for (const auto& e : edges) {
-        const auto at = cuts(e, result.vertices, tolerance);
+        const auto at = cuts(e, vertices, tolerance);
         if (e.fixed && at.size() > 2) patternCut(mesh, e, result.vertices[at[1].second]);
         for (std::size_t i = 0; i + 1 < at.size(); ++i) {
             const auto [s0, a] = at[i];
@@ -108,6 +146,7 @@ Arrangement arrange(const MeshDescription& mesh, double tolerance) {
         for (const auto& hole : mesh.bodies[b].holes)
             for (const auto& ref : result.chains[bodyIndex(mesh, hole)])
                 result.pieces[ref.piece].uses.push_back({b, -1, !ref.forward});
+    for (Piece& piece : result.pieces) cancelHoles(piece.uses);
     return result;
 }
 

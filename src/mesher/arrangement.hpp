@@ -36,9 +36,14 @@ struct Arrangement {
     int nBodies = 0;
 
     bool isWall(const PieceUse& use) const { return use.outline >= nBodies; }
+    int startOf(const PieceRef& ref) const { return ref.forward ? pieces[ref.piece].a : pieces[ref.piece].b; }
+    int endOf(const PieceRef& ref) const { return ref.forward ? pieces[ref.piece].b : pieces[ref.piece].a; }
+    /// Whether the piece bounds the body: as part of its outline, or as part of a hole's (`rim`).
+    bool bounds(int piece, int body, bool rim) const;
 };
 
-/// Points nearer than `tolerance` [m] are one vertex.
+/// Points nearer than `tolerance` [m] are one vertex. Where a hole touches its body's outline, or another hole, neither
+/// bounds the body.
 /// Throws UserError: an arc through three points of one line, a vertex between the nodes of a pattern.
 Arrangement arrange(const MeshDescription& mesh, double tolerance);
 

@@ -4,98 +4,186 @@
 
 #include "mesher/binGrid.hpp"
 #include "mesher/checks.hpp"
+#include "mesher/crossing.hpp"
 
 namespace pfem {
 
 namespace {
 
+constexpr double leastGap = 0.1;     // between outlines that do not touch / mesh size
+constexpr double leastAngle = 0.05;  // between edges that meet: its sine
+
 struct Chord {
     int a, b;
     int piece;
+    bool touches(int node) const { return a == node || b == node; }
+    int otherEnd(int node) const { return a == node ? b : a; }
 };
 
-std::string owner(const MeshDescription& mesh, const Arrangement& arrangement, int piece) {
-    const int outline = arrangement.pieces[piece].uses.front().outline;
-    const bool wall = outline >= arrangement.nBodies;
-    return fmt::format("{} '{}'", wall ? "wall" : "body", outlineOf(mesh, outline).name);
+/// The chords of the divided outlines, and which of them end at each node.
+struct Chords {
+    std::vector<Chord> all;
+    std::vector<std::vector<int>> at;
+    double longest = 0;
+
+    explicit Chords(const BoundaryNodes& boundary) : at(boundary.x.size()) {
+        for (std::size_t p = 0; p < boundary.ofPiece.size(); ++p) {
+            const auto& chain = boundary.ofPiece[p];
+            for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+                for (const int node : {chain[i], chain[i + 1]}) at[node].push_back(static_cast<int>(all.size()));
+                all.push_back({chain[i], chain[i + 1], static_cast<int>(p)});
+                longest = std::max(longest, (boundary.x[chain[i]] - boundary.x[chain[i + 1]]).norm());
+            }
+        }
+    }
+};
+
+/// The first two chords that cross, and where.
+struct Crossing {
+    int piece, other;
+    Vec<2> at;
+};
+
+std::optional<Crossing> findCrossing(const Chords& chords, const Points<2>& x) {
+    BinGrid bins(chords.longest);
+    std::optional<Crossing> found;
+    for (int k = 0; k < static_cast<int>(chords.all.size()) && !found; ++k) {
+        const Chord& c = chords.all[k];
+        bins.forEach(x[c.a].cwiseMin(x[c.b]), x[c.a].cwiseMax(x[c.b]), [&](int other) {
+            const Chord& d = chords.all[other];
+            if (found || d.touches(c.a) || d.touches(c.b)) return;
+            if (const auto at = crossingOf(x[c.a], x[c.b], x[d.a], x[d.b])) found = Crossing{d.piece, c.piece, *at};
+        });
+        bins.addSegment(k, x[c.a], x[c.b]);
+    }
+    return found;
 }
 
-Location place(const MeshDescription& mesh, const Arrangement& arrangement, int piece) {
-    const int outline = arrangement.pieces[piece].uses.front().outline;
-    return outlineOf(mesh, outline).at(outline < arrangement.nBodies ? "vertices" : "points");
-}
+/// What messages call the boundary's pieces.
+class Names {
+public:
+    Names(const MeshDescription& mesh, const Arrangement& arrangement) : mesh_(mesh), arrangement_(arrangement) {}
 
-double turn(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c) {
-    return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
-}
+    bool sameOutline(int p, int q) const { return use(p).outline == use(q).outline; }
+    std::string title(int piece) const { return titleOf(mesh_, use(piece).outline); }
+    /// "edge 2-3": the points of the outline that it joins.
+    std::string edge(int piece) const {
+        const int from = use(piece).edge, n = static_cast<int>(outline(piece).points.size());
+        return fmt::format("edge {}-{}", from, (from + 1) % n);
+    }
+    Location place(int piece) const {
+        return outline(piece).atPoint(use(piece).edge, pointsWord(mesh_, use(piece).outline));
+    }
+    /// "vertex 3 (0.1 0)": the piece's outline has it next to x.
+    std::string point(int piece, const Vec<2>& x) const {
+        const auto& points = outline(piece).points;
+        const auto nearest = std::min_element(points.begin(), points.end(), [&](const Vec<2>& p, const Vec<2>& q) {
+            return (p - x).squaredNorm() < (q - x).squaredNorm();
+        });
+        return fmt::format("{} {} ({:.9g} {:.9g})", arrangement_.isWall(use(piece)) ? "point" : "vertex", nearest - points.begin(), x.x(), x.y());
+    }
 
-bool cross(const Points<2>& x, const Chord& c, const Chord& d) {
-    return (turn(x[c.a], x[c.b], x[d.a]) > 0) != (turn(x[c.a], x[c.b], x[d.b]) > 0) &&
-           (turn(x[d.a], x[d.b], x[c.a]) > 0) != (turn(x[d.a], x[d.b], x[c.b]) > 0);
-}
+private:
+    /// That of an outline itself, not of one that has it as a hole.
+    const PieceUse& use(int piece) const { return arrangement_.pieces[piece].uses.front(); }
+    const Outline& outline(int piece) const { return outlineOf(mesh_, use(piece).outline); }
 
-[[noreturn]] void throwCrossing(const MeshDescription& mesh, const Arrangement& arrangement, const Vec<2>& at,
-                                int p, int q) {
-    const auto first = owner(mesh, arrangement, p), second = owner(mesh, arrangement, q);
+    const MeshDescription& mesh_;
+    const Arrangement& arrangement_;
+};
+
+void checkCrossings(const Names& names, const Chords& chords, const Points<2>& x) {
+    const auto crossing = findCrossing(chords, x);
+    if (!crossing) return;
+    const auto& [p, q, at] = *crossing;
     const std::string where = fmt::format("near ({:.6g} {:.6g})", at.x(), at.y());
-    if (first == second)
-        throw UserError(fmt::format("The outline of {} crosses itself {}", first, where),
-                        place(mesh, arrangement, p));
-    throw UserError(
-        fmt::format("The outlines of {} and {} cross {}: bodies must not overlap, and a wall must "
-                    "not cut a body",
-                    first, second, where),
-        place(mesh, arrangement, std::max(p, q)));
+    if (names.sameOutline(p, q))
+        throw UserError(fmt::format("The outline of {} crosses itself {}: {} and {}", names.title(p), where, names.edge(p), names.edge(q)),
+                        names.place(p));
+    throw UserError(fmt::format("The outlines of {} ({}) and {} ({}) cross {}: bodies must not overlap, and a wall must not cut a body",
+                                names.title(p), names.edge(p), names.title(q), names.edge(q), where),
+                    names.place(std::max(p, q)));
+}
+
+/// Whether one comes from `node` along the outlines to an end of the chord without leaving the circle of `radius`: a detail,
+/// not a gap.
+bool joinedWithin(int node, const Chord& chord, double radius, const Chords& chords, const Points<2>& x) {
+    std::vector<int> reached = {node};
+    for (std::size_t k = 0; k < reached.size(); ++k) {
+        if (chord.touches(reached[k])) return true;
+        for (const int c : chords.at[reached[k]]) {
+            const int next = chords.all[c].otherEnd(reached[k]);
+            if ((x[next] - x[node]).norm() <= radius && std::find(reached.begin(), reached.end(), next) == reached.end())
+                reached.push_back(next);
+        }
+    }
+    return false;
+}
+
+void checkGaps(const Names& names, const Chords& chords, const BoundaryNodes& boundary) {
+    const auto& x = boundary.x;
+    BinGrid bins(chords.longest);
+    for (int k = 0; k < static_cast<int>(chords.all.size()); ++k) bins.addSegment(k, x[chords.all[k].a], x[chords.all[k].b]);
+    for (int i = 0; i < static_cast<int>(x.size()); ++i) {
+        const double least = leastGap * boundary.h[i];
+        bins.forEachNear(x[i], least, [&](int k) {
+            const Chord& c = chords.all[k];
+            if (c.touches(i) || chords.at[i].empty()) return;
+            const double distance = segmentDistance(x[i], x[c.a], x[c.b]);
+            if (distance >= least) return;
+            const auto& near = chords.at[i];
+            if (std::any_of(near.begin(), near.end(), [&](int j) { return c.touches(chords.all[j].otherEnd(i)); })) return;
+            if (joinedWithin(i, c, 1.5 * least, chords, x)) return;
+            const int mine = chords.all[near.back()].piece;
+            if (names.sameOutline(mine, c.piece))
+                throw UserError(fmt::format("The outline of {} comes within {:.3g} of itself at ({:.9g} {:.9g}), {} and {}: too narrow for its "
+                                            "meshSize {:g}.\nLeave at least a tenth of meshSize between them, or choose a smaller one.",
+                                            names.title(mine), distance, x[i].x(), x[i].y(), names.edge(mine), names.edge(c.piece),
+                                            boundary.h[i]),
+                                names.place(mine));
+            throw UserError(fmt::format("The point ({:.9g} {:.9g}) of {} ({}) is {:.3g} from {} ({}): neither joined nor apart "
+                                        "(meshSize {:g}).\nGive both the same coordinates, or leave at least a tenth of "
+                                        "meshSize between them.",
+                                        x[i].x(), x[i].y(), names.title(mine), names.edge(mine), distance, names.title(c.piece),
+                                        names.edge(c.piece), boundary.h[i]),
+                            names.place(std::max(mine, c.piece)));
+        });
+    }
 }
 
 }  // namespace
 
-void checkBoundary(const MeshDescription& mesh, const Arrangement& arrangement,
-                   const BoundaryNodes& boundary) {
+void checkBoundary(const MeshDescription& mesh, const Arrangement& arrangement, const BoundaryNodes& boundary) {
+    const Names names(mesh, arrangement);
+    const Chords chords(boundary);
+    checkCrossings(names, chords, boundary.x);
+    checkGaps(names, chords, boundary);
+}
+
+bool crosses(const BoundaryNodes& boundary) { return findCrossing(Chords(boundary), boundary.x).has_value(); }
+
+void checkSpikes(const MeshDescription& mesh, const Arrangement& arrangement, const BoundaryNodes& boundary) {
+    const Names names(mesh, arrangement);
+    const Chords chords(boundary);
     const auto& x = boundary.x;
-    std::vector<Chord> chords;
-    std::vector<std::vector<int>> around(x.size());  // neighbours of each node along the outlines
-    double longest = 0;
-    for (std::size_t p = 0; p < boundary.ofPiece.size(); ++p) {
-        const auto& chain = boundary.ofPiece[p];
-        for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
-            chords.push_back({chain[i], chain[i + 1], static_cast<int>(p)});
-            around[chain[i]].push_back(chain[i + 1]);
-            around[chain[i + 1]].push_back(chain[i]);
-            longest = std::max(longest, (x[chain[i]] - x[chain[i + 1]]).norm());
-        }
-    }
-    BinGrid bins(longest);
-    const auto touches = [](const Chord& c, int node) { return c.a == node || c.b == node; };
-    for (int k = 0; k < static_cast<int>(chords.size()); ++k) {
-        const Chord& c = chords[k];
-        bins.forEach(x[c.a].cwiseMin(x[c.b]), x[c.a].cwiseMax(x[c.b]), [&](int other) {
-            const Chord& d = chords[other];
-            if (touches(d, c.a) || touches(d, c.b) || !cross(x, c, d)) return;
-            throwCrossing(mesh, arrangement, 0.5 * (x[c.a] + x[c.b]), d.piece, c.piece);
-        });
-        bins.addSegment(k, x[c.a], x[c.b]);
-    }
-    for (int i = 0; i < static_cast<int>(x.size()); ++i) {
-        const double least = 0.1 * boundary.h[i];
-        bins.forEachNear(x[i], least, [&](int k) {
-            const Chord& c = chords[k];
-            const double distance = segmentDistance(x[i], x[c.a], x[c.b]);
-            if (touches(c, i) || distance >= least) return;
-            const auto& near = around[i];
-            if (std::any_of(near.begin(), near.end(), [&](int j) { return touches(c, j); })) return;
-            int mine = 0;  // a piece of node i
-            for (const auto& own : chords)
-                if (touches(own, i)) mine = own.piece;
-            throw UserError(
-                fmt::format("The point ({:.9g} {:.9g}) of {} is {:.3g} from {}: neither joined nor apart "
-                            "(meshSize {:g}).\nGive both the same coordinates, or leave at least a tenth of "
-                            "meshSize between them.",
-                            x[i].x(), x[i].y(), owner(mesh, arrangement, mine), distance,
-                            owner(mesh, arrangement, c.piece), boundary.h[i]),
-                place(mesh, arrangement, std::max(mine, c.piece)));
-        });
-    }
+    for (int i = 0; i < static_cast<int>(x.size()); ++i)
+        for (const int k : chords.at[i])
+            for (const int l : chords.at[i]) {
+                if (k >= l) continue;
+                const Vec<2> u = x[chords.all[k].otherEnd(i)] - x[i], v = x[chords.all[l].otherEnd(i)] - x[i];
+                const double sine = std::abs(u.x() * v.y() - u.y() * v.x()) / (u.norm() * v.norm());
+                if (u.dot(v) <= 0 || sine >= leastAngle) continue;
+                const int p = chords.all[k].piece, q = chords.all[l].piece;
+                const double degrees = std::asin(sine) * 180 / M_PI;
+                if (names.sameOutline(p, q))
+                    throw UserError(fmt::format("The outline of {} has a spike of {:.2g} degrees at its {}: too sharp for a triangle. "
+                                                "Leave it out or make it wider.",
+                                                names.title(p), degrees, names.point(p, x[i])),
+                                    names.place(p));
+                throw UserError(fmt::format("{} ({}) and {} ({}) meet at ({:.9g} {:.9g}) at an angle of {:.2g} degrees: too sharp for a triangle",
+                                            names.title(p), names.edge(p), names.title(q), names.edge(q), x[i].x(), x[i].y(), degrees),
+                                names.place(std::max(p, q)));
+            }
 }
 
 }  // namespace pfem

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "mesher/checks.hpp"
+#include "mesher/thinOut.hpp"
 
 namespace pfem {
 
@@ -17,21 +18,17 @@ std::string pointList(Points<2> points) {
     return text + ")";
 }
 
-void checkOutline(const Outline& outline, const char* what, const char* keyword) {
-    const auto n = outline.points.size(), least = std::size_t(outline.closed && outline.arcs.empty() ? 3 : 2);
-    if (n < least)
-        throw UserError(
-            fmt::format("{} '{}' has {} points; at least {} are needed", what, outline.name, n, least),
-            outline.at(keyword));
+void checkOutline(const Outline& outline, const char* what, const char* keyword, double tolerance) {
+    const auto n = outline.points.size(), different = distinctPoints(outline, tolerance).size(),
+               least = std::size_t(outline.closed && outline.arcs.empty() ? 3 : 2);
+    if (different < least)
+        throw UserError(fmt::format("{} '{}' has {}{} points; at least {} are needed", what, outline.name, different,
+                                    different < n ? " different" : "", least),
+                        outline.at(keyword));
     if (outline.meshSize < 0)
         throw UserError(
             fmt::format("meshSize of '{}' must be positive, not {:g}", outline.name, outline.meshSize),
             outline.at("meshSize"));
-    for (int e = 0; e < outline.nEdges(); ++e)
-        if ((outline.points[e] - outline.points[(e + 1) % n]).norm() == 0)
-            throw UserError(
-                fmt::format("Points {} and {} of '{}' are the same", e, (e + 1) % n, outline.name),
-                outline.at(keyword));
     for (const auto& arc : outline.arcs) {
         const int m = static_cast<int>(n), low = std::min(arc.from, arc.to),
                   high = std::max(arc.from, arc.to);
@@ -42,12 +39,33 @@ void checkOutline(const Outline& outline, const char* what, const char* keyword)
                 fmt::format("arc {} {}: '{}' has no edge between these points (it has points 0 to {})",
                             arc.from, arc.to, outline.name, m - 1),
                 outline.at("edges"));
+        if ((outline.points[arc.from] - outline.points[arc.to]).norm() <= tolerance)
+            throw UserError(fmt::format("arc {0} {1}: the points {0} and {1} of '{2}' are one", arc.from, arc.to, outline.name),
+                            outline.at("edges"));
     }
 }
 
-void checkBody(const MeshDescription& mesh, const Body& body) {
+/// Twice the width of a slender body, or the diameter of a round one; what is rough below half of the size does not count.
+double widthOf(const Body& body, double h) {
+    const double area = outlineArea(body);
+    double perimeter = 0;
+    Points<2> straight = {body.points.front()};
+    for (int e = 0; e < body.nEdges(); ++e) {
+        const Curve curve = edgeCurve(body, e);
+        if (curve.isArc()) {
+            perimeter += lengthWithin(straight, 0.5 * h) + curve.length();
+            straight.clear();
+        }
+        straight.push_back(curve.point(1));
+    }
+    return 4 * area / (perimeter + lengthWithin(straight, 0.5 * h));
+}
+
+void checkBody(const MeshDescription& mesh, int index, double tolerance) {
+    const Body& body = mesh.bodies[index];
     const double area = outlineArea(body), h = bodySize(mesh, body);
     if (area < 0) {
+        checkShape(mesh, index, true);
         Points<2> reversed(body.points.rbegin(), body.points.rend());
         throw UserError(
             fmt::format("The vertices of body '{}' run clockwise; write them counter-clockwise:\n{}",
@@ -58,13 +76,13 @@ void checkBody(const MeshDescription& mesh, const Body& body) {
         throw UserError(
             fmt::format("Body '{}' has no meshSize, and the dictionary has no default one", body.name),
             body.at());
-    double perimeter = 0;
-    for (int e = 0; e < body.nEdges(); ++e) perimeter += edgeCurve(body, e).length();
-    if (h > 4 * area / perimeter)
-        throw UserError(fmt::format("meshSize {:g} is larger than body '{}' (about {:.3g} wide)", h,
-                                    body.name, 4 * area / perimeter),
+    if (const double width = widthOf(body, h); h > width) {
+        checkShape(mesh, index, true);
+        throw UserError(fmt::format("meshSize {:g} is larger than body '{}' (about {:.3g} wide)", h, body.name, width),
                         body.meshSize > 0 ? body.at("meshSize") : body.at());
-    if (body.pattern != Pattern::unstructured && (body.points.size() != 4 || !body.holes.empty()))
+    }
+    if (body.pattern != Pattern::unstructured &&
+        (body.points.size() != 4 || distinctPoints(body, tolerance).size() != 4 || !body.holes.empty()))
         throw UserError(
             fmt::format("A structured pattern needs four vertices and no holes; body '{}' has {} vertices",
                         body.name, body.points.size()),
@@ -95,14 +113,17 @@ void checkBody(const MeshDescription& mesh, const Body& body) {
 void checkDescription(const MeshDescription& mesh) {
     if (mesh.bodies.empty()) throw UserError("There is no body to mesh");
     if (mesh.meshSize < 0) throw UserError(fmt::format("meshSize must be positive, not {:g}", mesh.meshSize));
-    for (const auto& body : mesh.bodies) {
-        checkOutline(body, "Body", "vertices");
-        checkBody(mesh, body);
+    const double tolerance = mergeDistance(mesh);
+    for (int b = 0; b < static_cast<int>(mesh.bodies.size()); ++b) {
+        checkOutline(mesh.bodies[b], "Body", "vertices", tolerance);
+        checkShape(mesh, b);
+        checkBody(mesh, b, tolerance);
     }
     std::set<std::string> names;
-    for (const auto& wall : mesh.walls) {
-        checkOutline(wall, "Wall", "points");
-        names.insert(wall.name);
+    for (std::size_t w = 0; w < mesh.walls.size(); ++w) {
+        checkOutline(mesh.walls[w], "Wall", "points", tolerance);
+        checkShape(mesh, static_cast<int>(mesh.bodies.size() + w));
+        names.insert(mesh.walls[w].name);
     }
     for (const auto& body : mesh.bodies)
         for (const auto& [name, edges] : body.patches)

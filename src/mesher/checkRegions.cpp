@@ -10,21 +10,17 @@ namespace pfem {
 
 namespace {
 
-void checkOverlaps(const MeshDescription& mesh, const std::vector<Region>& regions) {
+/// `outlines`: the bodies without regard to their holes.
+void checkOverlaps(const MeshDescription& mesh, const std::vector<Region>& outlines, const std::vector<Region>& regions) {
     for (std::size_t i = 0; i < regions.size(); ++i) {
         for (const auto& name : mesh.bodies[i].holes) {
-            Region outer = regions[i];
-            outer.edges.clear();
-            for (const auto& edge : regions[i].edges) {
-                outer.edges.push_back(edge);
-                if (edge[1] == 0) break;  // the outer loop is complete
-            }
-            const Region& hole = regions[bodyIndex(mesh, name)];
-            if (!outer.contains(hole.x.front()))
+            if (!outlines[i].contains(outlines[bodyIndex(mesh, name)].probe()))
                 throw UserError(fmt::format("Body '{}' does not lie inside '{}', whose hole it should fill",
                                             name, mesh.bodies[i].name),
                                 mesh.bodies[i].at("holes"));
         }
+        if (regions[i].edges.empty())
+            throw UserError(fmt::format("The holes of body '{}' leave nothing of it", mesh.bodies[i].name), mesh.bodies[i].at("holes"));
         const Vec<2> probe = regions[i].probe();
         for (std::size_t j = 0; j < regions.size(); ++j) {
             if (i == j || !regions[j].contains(probe)) continue;
@@ -56,9 +52,14 @@ void checkShared(const MeshDescription& mesh, const Arrangement& arrangement,
             for (const auto& use : piece.uses) {
                 if (arrangement.isWall(use)) {
                     if (use.outline == wallUse.outline && use.edge == wallUse.edge) continue;
-                    throw UserError(fmt::format("Walls '{}' and '{}' share an edge", wall.name,
-                                                mesh.walls[use.outline - arrangement.nBodies].name),
-                                    wall.at("points"));
+                    const Vec<2> x = piece.curve.point(0.5);
+                    const std::string at = fmt::format("at ({:.6g} {:.6g})", x.x(), x.y());
+                    if (use.outline == wallUse.outline)
+                        throw UserError(fmt::format("Wall '{}' runs twice along the same line {}: a wall needs a thickness", wall.name, at),
+                                        wall.atPoint(wallUse.edge, "points"));
+                    throw UserError(fmt::format("Walls '{}' and '{}' share an edge {}", wall.name,
+                                                mesh.walls[use.outline - arrangement.nBodies].name, at),
+                                    wall.atPoint(wallUse.edge, "points"));
                 }
                 const Body& body = mesh.bodies[use.outline];
                 if (body.type == BodyType::fluid) {
@@ -72,19 +73,20 @@ void checkShared(const MeshDescription& mesh, const Arrangement& arrangement,
             }
             if (nFluid > 1)
                 throw UserError(
-                    fmt::format("Wall '{}' has fluid on both sides: a wall needs a thickness", wall.name),
-                    wall.at("points"));
+                    fmt::format("Wall '{}' has fluid on both sides at ({:.6g} {:.6g}): a wall needs a thickness", wall.name,
+                                piece.curve.point(0.5).x(), piece.curve.point(0.5).y()),
+                    wall.atPoint(wallUse.edge, "points"));
         }
     }
 }
 
 /// Node nearest to, but not on, the wall must see the wall's left side.
-void checkSide(const Body& body, const Wall& wall, const std::vector<int>& chain, const Points<2>& x,
+void checkSide(const Body& body, const Points<2>& corners, const Wall& wall, const std::vector<int>& chain, const Points<2>& x,
                double tolerance) {
     double best = std::numeric_limits<double>::max();
     double side = 1;
     const int n = static_cast<int>(chain.size()), last = wall.closed ? n : n - 1;
-    for (const auto& p : body.points) {
+    for (const auto& p : corners) {
         double nearest = std::numeric_limits<double>::max(), sideHere = 1;
         for (int e = 0; e < last; ++e) {
             const Vec<2>&a = x[chain[e]], &b = x[chain[(e + 1) % n]];
@@ -120,7 +122,9 @@ void checkSide(const Body& body, const Wall& wall, const std::vector<int>& chain
 std::vector<std::string> checkRegions(const MeshDescription& mesh, const Arrangement& arrangement,
                                       const BoundaryNodes& boundary, const std::vector<Region>& regions) {
     std::vector<std::string> warnings;
-    checkOverlaps(mesh, regions);
+    std::vector<Region> outlines;
+    for (int b = 0; b < arrangement.nBodies; ++b) outlines.push_back(outlineRegion(b, arrangement, boundary));
+    checkOverlaps(mesh, outlines, regions);
     checkShared(mesh, arrangement, warnings);
     for (std::size_t w = 0; w < mesh.walls.size(); ++w) {
         const Wall& wall = mesh.walls[w];
@@ -134,7 +138,10 @@ std::vector<std::string> checkRegions(const MeshDescription& mesh, const Arrange
                         fmt::format("Wall '{}' lies inside body '{}'", wall.name, mesh.bodies[b].name),
                         wall.at("points"));
             }
-            if (regions[b].fluid) checkSide(mesh.bodies[b], wall, chain, boundary.x, 1e-3 * regions[b].h);
+            if (!regions[b].fluid) continue;
+            Points<2> corners;
+            for (const auto& ref : arrangement.chains[b]) corners.push_back(arrangement.vertices[arrangement.startOf(ref)]);
+            checkSide(mesh.bodies[b], corners, wall, chain, boundary.x, 1e-3 * regions[b].h);
         }
     }
     return warnings;

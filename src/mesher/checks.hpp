@@ -8,12 +8,26 @@ namespace pfem {
 /// Sizes, loops, arcs and patches of single outlines.
 void checkDescription(const MeshDescription& mesh);
 
+/// An outline that runs back on itself, crosses or touches itself, naming its points. A wall may touch itself.
+/// Only straight edges, or also the chords of arcs.
+void checkShape(const MeshDescription& mesh, int outline, bool arcs = false);
+
 /// More than 2e7 triangles: almost certainly a slip in meshSize or in the units.
 void checkCount(const MeshDescription& mesh);
 
 /// Outlines that cross, or come closer than a tenth of the size without touching.
 void checkBoundary(const MeshDescription& mesh, const Arrangement& arrangement,
                    const BoundaryNodes& boundary);
+
+/// Whether outlines cross.
+bool crosses(const BoundaryNodes& boundary);
+
+/// Edges that meet at an angle too sharp for a triangle.
+void checkSpikes(const MeshDescription& mesh, const Arrangement& arrangement, const BoundaryNodes& boundary);
+
+/// What is said of points that were merged with the one before, and of those that `simplify` has left out.
+std::vector<std::string> mergedPoints(const MeshDescription& mesh, double tolerance);
+std::vector<std::string> leftOutPoints(const MeshDescription& mesh, const std::vector<int>& leftOut);
 
 /// Bodies inside each other, walls inside bodies, fluid on the right of a wall.
 /// Returns warnings.

@@ -22,7 +22,8 @@ struct ArcEdge {
 /// A chain of vertices joined by straight edges or arcs: the outline of a body or the line of a wall.
 struct Outline {
     std::string name;
-    Points<2> points;  // [m]
+    Points<2> points;                   // [m]
+    std::vector<Location> pointPlaces;  // where each of them was written; empty: not known
     std::vector<ArcEdge> arcs;
     bool closed = true;                      // the last vertex is joined to the first
     double meshSize = 0;                     // target edge length [m]; 0: the default of the dictionary
@@ -30,6 +31,8 @@ struct Outline {
 
     /// Where `keyword` was written; the outline's own place ("") when it was not.
     Location at(const std::string& keyword = "") const;
+    /// Where point `k` was written; if that is not known, where `keyword` was.
+    Location atPoint(int k, const std::string& keyword) const;
     int nEdges() const { return static_cast<int>(points.size()) - (closed ? 0 : 1); }
 };
 

@@ -1,10 +1,10 @@
 #include "mesher/mesher.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "mesher/checks.hpp"
 #include "mesher/draft.hpp"
+#include "mesher/simplify.hpp"
 
 namespace pfem {
 
@@ -59,13 +59,33 @@ void addPatches(Draft& draft, const MeshDescription& description, const Arrangem
                 continue;
             }
             const Body& body = description.bodies[use.outline];
-            const int from = use.edge, to = (use.edge + 1) % static_cast<int>(body.points.size());
-            for (const auto& [name, edges] : body.patches)
-                for (const auto& [a, b] : edges)
-                    if (use.edge >= 0 && ((a == from && b == to) || (a == to && b == from)))
-                        addFaces(patchNamed(draft.mesh, name), boundary.ofPiece[p], use.forward);
+            for (const auto& name : patchesOf(body, use.edge)) addFaces(patchNamed(draft.mesh, name), boundary.ofPiece[p], use.forward);
         }
     }
+}
+
+/// The outlines, cut where they touch, and their nodes.
+struct Divided {
+    Arrangement arrangement;
+    SizeField size;
+    BoundaryNodes boundary;
+
+    explicit Divided(const MeshDescription& description, Arrangement all)
+        : arrangement(std::move(all)), size(description, arrangement), boundary(divideBoundary(arrangement, size)) {}
+};
+
+Divided divideOutlines(const MeshDescription& description, double tolerance, std::vector<std::string>& warnings) {
+    warnings = mergedPoints(description, tolerance);
+    const Divided whole(description, arrange(description, tolerance));
+    checkBoundary(description, whole.arrangement, whole.boundary);
+    const Simplified simplified = simplify(whole.arrangement, description, whole.size);
+    Divided simple(description, simplified.arrangement);
+    const bool taken = simplified.changed() && !crosses(simple.boundary);
+    Divided result = taken ? std::move(simple) : whole;
+    checkSpikes(description, result.arrangement, result.boundary);
+    if (taken)
+        for (auto& text : leftOutPoints(description, simplified.leftOut)) warnings.push_back(text);
+    return result;
 }
 
 }  // namespace
@@ -74,18 +94,14 @@ MeshResult buildMesh(const MeshDescription& description) {
     checkDescription(description);
     checkCount(description);
 
-    double smallest = std::numeric_limits<double>::max();
-    for (const auto& body : description.bodies) smallest = std::min(smallest, bodySize(description, body));
-    const Arrangement arrangement = arrange(description, 1e-6 * smallest);
-    const SizeField size(description, arrangement);
-    const BoundaryNodes boundary = divideBoundary(arrangement, size);
-    checkBoundary(description, arrangement, boundary);
+    const double tolerance = mergeDistance(description);
+    MeshResult result;
+    const auto [arrangement, size, boundary] = divideOutlines(description, tolerance, result.warnings);
 
     const int nBodies = static_cast<int>(description.bodies.size());
     std::vector<Region> regions;
     for (int b = 0; b < nBodies; ++b) regions.push_back(regionOf(description, b, arrangement, boundary));
-    MeshResult result;
-    result.warnings = checkRegions(description, arrangement, boundary, regions);
+    for (auto& warning : checkRegions(description, arrangement, boundary, regions)) result.warnings.push_back(warning);
 
     Draft draft;
     draft.x = boundary.x;

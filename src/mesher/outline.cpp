@@ -15,6 +15,10 @@ Location Outline::at(const std::string& keyword) const {
     return it == places.end() ? Location{} : it->second;
 }
 
+Location Outline::atPoint(int k, const std::string& keyword) const {
+    return k < static_cast<int>(pointPlaces.size()) ? pointPlaces[k] : at(keyword);
+}
+
 int bodyIndex(const MeshDescription& mesh, const std::string& name) {
     for (std::size_t i = 0; i < mesh.bodies.size(); ++i)
         if (mesh.bodies[i].name == name) return static_cast<int>(i);
@@ -25,6 +29,40 @@ const Outline& outlineOf(const MeshDescription& mesh, int index) {
     const int n = static_cast<int>(mesh.bodies.size());
     if (index < n) return mesh.bodies[index];
     return mesh.walls[index - n];
+}
+
+std::string titleOf(const MeshDescription& mesh, int outline) {
+    const bool wall = outline >= static_cast<int>(mesh.bodies.size());
+    return fmt::format("{} '{}'", wall ? "wall" : "body", outlineOf(mesh, outline).name);
+}
+
+std::string pointsWord(const MeshDescription& mesh, int outline) {
+    return outline < static_cast<int>(mesh.bodies.size()) ? "vertices" : "points";
+}
+
+double mergeDistance(const MeshDescription& mesh) {
+    double smallest = 0;
+    for (const auto& body : mesh.bodies)
+        if (const double h = bodySize(mesh, body); h > 0 && (smallest == 0 || h < smallest)) smallest = h;
+    return 1e-6 * smallest;
+}
+
+std::vector<int> distinctPoints(const Outline& outline, double tolerance) {
+    std::vector<int> distinct;
+    const auto same = [&](int i, int j) { return (outline.points[i] - outline.points[j]).norm() <= tolerance; };
+    for (int i = 0; i < static_cast<int>(outline.points.size()); ++i)
+        if (distinct.empty() || !same(i, distinct.back())) distinct.push_back(i);
+    while (outline.closed && distinct.size() > 1 && same(distinct.back(), distinct.front())) distinct.pop_back();
+    return distinct;
+}
+
+std::vector<std::string> patchesOf(const Body& body, int edge) {
+    const int from = edge, to = (edge + 1) % static_cast<int>(body.points.size());
+    std::vector<std::string> names;
+    for (const auto& [name, edges] : body.patches)
+        for (const auto& [a, b] : edges)
+            if (edge >= 0 && ((a == from && b == to) || (a == to && b == from))) names.push_back(name);
+    return names;
 }
 
 Curve edgeCurve(const Outline& outline, int edge) {

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "dictionary/expression.hpp"
+#include "dictionary/function1.hpp"
 
 namespace pfem {
 
@@ -13,6 +14,7 @@ namespace {
 
 Vec<2> toPoint(const Dictionary& dict, const std::string& key, const std::vector<double>& c) {
     if (c.size() == 2 || (c.size() == 3 && c[2] == 0)) return {c[0], c[1]};
+    if (c.size() == 3) dict.fatal(key, fmt::format("'{}' leaves the plane: z is {:g} there; write (x y)", key, c[2]));
     dict.fatal(key, fmt::format("A point of '{}' has {} coordinates; write (x y)", key, c.size()));
 }
 
@@ -55,17 +57,25 @@ void readVelocity(const Dictionary& dict, Body& body) {
     tokens.end();
     if (formulas.size() != 2 && formulas.size() != 3)
         dict.fatal("velocity", "A velocity needs a formula for each component: expression (\"-2*y\" \"2*x\")");
-    const auto u = std::make_shared<Expression>(formulas[0], std::vector<std::string>{"x", "y"}, dict.where("velocity"));
-    const auto v = std::make_shared<Expression>(formulas[1], std::vector<std::string>{"x", "y"}, dict.where("velocity"));
-    body.velocityField = [u, v](const Vec<2>& x) { return Vec<2>((*u)({x[0], x[1]}), (*v)({x[0], x[1]})); };
+    std::vector<std::shared_ptr<Expression>> u;
+    for (const auto& formula : formulas)
+        u.push_back(std::make_shared<Expression>(formula, std::vector<std::string>{"x", "y"}, dict.where("velocity")));
+    body.velocityField = [u, dict](const Vec<2>& x) {
+        if (u.size() == 3) demandPlane(dict, "velocity", (*u[2])({x[0], x[1]}));
+        return Vec<2>((*u[0])({x[0], x[1]}), (*u[1])({x[0], x[1]}));
+    };
 }
 
 void readOutline(const Dictionary& dict, const std::string& pointsKey, Outline& outline) {
     outline.name = dict.keyword();
     outline.places[""] = dict.where();
     for (const auto& key : dict.keys()) outline.places[key] = dict.where(key);
-    for (const auto& c : dict.get<std::vector<std::vector<double>>>(pointsKey))
-        outline.points.push_back(toPoint(dict, pointsKey, c));
+    TokenReader tokens = dict.reader(pointsKey);
+    tokens.list([&] {
+        outline.pointPlaces.push_back(tokens.peek().where());
+        outline.points.push_back(toPoint(dict, pointsKey, tokens.read<std::vector<double>>()));
+    });
+    tokens.end();
     outline.arcs = readArcs(dict);
     outline.meshSize = readSize(dict);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "mesher/counts.hpp"
 
@@ -39,32 +40,63 @@ Vec<2> Region::probe() const {
 
 namespace {
 
-void addLoop(Region& region, const std::vector<int>& nodes, const BoundaryNodes& boundary) {
-    const int first = static_cast<int>(region.x.size()), n = static_cast<int>(nodes.size());
-    for (int i = 0; i < n; ++i) {
-        region.x.push_back(boundary.x[nodes[i]]);
-        region.boundaryNode.push_back(nodes[i]);
-        region.edges.push_back({first + i, first + (i + 1) % n});
+/// An edge between two boundary nodes.
+struct LoopEdge {
+    Face<2> nodes;
+    int piece;
+};
+
+/// The edges of a body's outline or, backwards, of a hole's, in their order.
+std::vector<LoopEdge> loopOf(int outline, bool backward, const Arrangement& arrangement, const BoundaryNodes& boundary) {
+    std::vector<LoopEdge> loop;
+    for (const auto& ref : arrangement.chains[outline]) {
+        std::vector<int> chain = boundary.ofPiece[ref.piece];
+        if (!ref.forward) std::reverse(chain.begin(), chain.end());
+        for (std::size_t i = 0; i + 1 < chain.size(); ++i) loop.push_back({{chain[i], chain[i + 1]}, ref.piece});
     }
-    region.nBoundary = static_cast<int>(region.x.size());
-    ++region.nLoops;
+    if (!backward) return loop;
+    std::reverse(loop.begin(), loop.end());
+    std::rotate(loop.begin(), loop.begin() + 1, loop.end());  // the loop closes with its last edge
+    for (auto& edge : loop) std::swap(edge.nodes[0], edge.nodes[1]);
+    return loop;
 }
 
-/// Per edge of the chain: whether a wall shares it.
-void markWalls(Region& region, const std::vector<PieceRef>& chain, bool backward,
-               const Arrangement& arrangement, const BoundaryNodes& boundary) {
-    std::vector<bool> marks;
-    for (const auto& ref : chain) {
-        const auto& uses = arrangement.pieces[ref.piece].uses;
-        const bool wall =
-            std::any_of(uses.begin(), uses.end(), [&](const auto& use) { return arrangement.isWall(use); });
-        marks.insert(marks.end(), boundary.ofPiece[ref.piece].size() - 1, wall);
+/// Those of a body's edges that bound it.
+std::vector<LoopEdge> boundaryOf(const MeshDescription& mesh, int body, const Arrangement& arrangement, const BoundaryNodes& boundary) {
+    std::vector<LoopEdge> edges;
+    const auto add = [&](const std::vector<LoopEdge>& loop, bool rim) {
+        for (const auto& edge : loop)
+            if (arrangement.bounds(edge.piece, body, rim)) edges.push_back(edge);
+    };
+    add(loopOf(body, false, arrangement, boundary), false);
+    for (const auto& name : mesh.bodies[body].holes) add(loopOf(bodyIndex(mesh, name), true, arrangement, boundary), true);
+    return edges;
+}
+
+/// Points and edges of the region; each point once.
+void addEdges(Region& region, const std::vector<LoopEdge>& edges, const Arrangement& arrangement, const BoundaryNodes& boundary) {
+    std::map<int, int> local;  // of the boundary's nodes
+    for (const auto& edge : edges) {
+        const int node = edge.nodes[0];
+        if (!local.emplace(node, static_cast<int>(region.x.size())).second) continue;
+        region.x.push_back(boundary.x[node]);
+        region.boundaryNode.push_back(node);
     }
-    if (backward) std::reverse(marks.begin(), marks.end() - 1);  // the loop closes with its last edge
-    region.onWall.insert(region.onWall.end(), marks.begin(), marks.end());
+    region.nBoundary = static_cast<int>(region.x.size());
+    for (const auto& edge : edges) {
+        region.edges.push_back({local.at(edge.nodes[0]), local.at(edge.nodes[1])});
+        const auto& uses = arrangement.pieces[edge.piece].uses;
+        region.onWall.push_back(std::any_of(uses.begin(), uses.end(), [&](const auto& use) { return arrangement.isWall(use); }));
+    }
 }
 
 }  // namespace
+
+Region outlineRegion(int body, const Arrangement& arrangement, const BoundaryNodes& boundary) {
+    Region region;
+    addEdges(region, loopOf(body, false, arrangement, boundary), arrangement, boundary);
+    return region;
+}
 
 Region regionOf(const MeshDescription& mesh, int body, const Arrangement& arrangement,
                 const BoundaryNodes& boundary) {
@@ -72,15 +104,8 @@ Region regionOf(const MeshDescription& mesh, int body, const Arrangement& arrang
     Region region;
     region.fluid = description.type == BodyType::fluid;
     region.h = bodySize(mesh, description);
-    addLoop(region, boundary.chain(arrangement, body, true), boundary);
-    markWalls(region, arrangement.chains[body], false, arrangement, boundary);
-    for (const auto& name : description.holes) {
-        const int hole = bodyIndex(mesh, name);
-        auto nodes = boundary.chain(arrangement, hole, true);
-        std::reverse(nodes.begin(), nodes.end());
-        addLoop(region, nodes, boundary);
-        markWalls(region, arrangement.chains[hole], true, arrangement, boundary);
-    }
+    region.nLoops = 1 + static_cast<int>(description.holes.size());
+    addEdges(region, boundaryOf(mesh, body, arrangement, boundary), arrangement, boundary);
     double longest = 0;
     region.rowSpacing = region.h;
     for (int e = 0; e < description.nEdges(); ++e) {
@@ -91,6 +116,7 @@ Region regionOf(const MeshDescription& mesh, int body, const Arrangement& arrang
         region.rowOrigin = curve.point(0);
         region.rowSpacing = longest / nearestCount(longest / region.h);
     }
+    if (longest < 0.5 * region.h) region.rowSpacing = region.h;  // a curve of short edges
     return region;
 }
 

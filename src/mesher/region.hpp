@@ -16,7 +16,7 @@ struct Anchor {
 struct Region {
     Points<2> x;
     int nBoundary = 0;
-    int nLoops = 0;
+    int nLoops = 0;                 // outline and holes
     std::vector<int> boundaryNode;  // of BoundaryNodes, per boundary point
     std::vector<Face<2>> edges;     // the body on the left of a -> b; first the outer loop, then holes
     std::vector<bool> onWall;       // per edge: part of a rigid wall
@@ -35,6 +35,10 @@ struct Region {
     Vec<2> probe() const;
 };
 
+/// The inside of the body's outline, holes included: its edges only.
+Region outlineRegion(int body, const Arrangement& arrangement, const BoundaryNodes& boundary);
+
+/// Where a hole touches the outline or another one, a boundary point may have more than two edges.
 Region regionOf(const MeshDescription& mesh, int body, const Arrangement& arrangement,
                 const BoundaryNodes& boundary);
 

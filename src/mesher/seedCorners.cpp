@@ -14,18 +14,22 @@ namespace pfem {
 // Corners above 150 degrees get two or more triangles by themselves; acute ones keep one, except between
 // walls.
 void seedCorners(Region& region) {
-    std::vector<int> previous(region.nBoundary, -1), next(region.nBoundary, -1);  // edges
-    for (int e = 0; e < static_cast<int>(region.edges.size()); ++e) {
-        next[region.edges[e][0]] = e;
-        previous[region.edges[e][1]] = e;
-    }
+    std::vector<std::vector<int>> into(region.nBoundary);  // edges
+    for (int e = 0; e < static_cast<int>(region.edges.size()); ++e) into[region.edges[e][1]].push_back(e);
     const double degree = std::numbers::pi / 180;
-    for (int i = 0; i < region.nBoundary; ++i) {
-        const Vec<2> out = region.x[region.edges[next[i]][1]] - region.x[i];
-        const Vec<2> in = region.x[region.edges[previous[i]][0]] - region.x[i];
-        const double angle = std::atan2(out.x() * in.y() - out.y() * in.x(), out.dot(in));
-        if (angle <= 0 || angle > (150 + 1e-9) * degree) continue;  // reflex, or wide enough
-        const bool betweenWalls = region.fluid && region.onWall[next[i]] && region.onWall[previous[i]];
+    for (int next = 0; next < static_cast<int>(region.edges.size()); ++next) {
+        const int i = region.edges[next][0];
+        const Vec<2> out = region.x[region.edges[next][1]] - region.x[i];
+        const auto angleTo = [&](int e) {  // of the region, from `out` counter-clockwise
+            const Vec<2> in = region.x[region.edges[e][0]] - region.x[i];
+            const double angle = std::atan2(out.x() * in.y() - out.y() * in.x(), out.dot(in));
+            return angle > 0 ? angle : angle + 360 * degree;
+        };
+        const int previous = *std::min_element(into[i].begin(), into[i].end(), [&](int e, int f) { return angleTo(e) < angleTo(f); });
+        const Vec<2> in = region.x[region.edges[previous][0]] - region.x[i];
+        const double angle = angleTo(previous);
+        if (angle > (150 + 1e-9) * degree) continue;  // reflex, or wide enough
+        const bool betweenWalls = region.fluid && region.onWall[next] && region.onWall[previous];
         if (angle < (80 - 1e-9) * degree && !betweenWalls) continue;
         const Vec<2> bisector = (out.normalized() + in.normalized()).normalized();
         const double h = std::min(out.norm(), in.norm());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace pfem {
 
@@ -10,14 +11,15 @@ namespace {
 /// How often a node is used by solids and patches, and its neighbours along one wall.
 struct WallWalker {
     std::map<int, int> next, previous;
+    std::set<int> meeting;  // nodes through which the wall runs more than once
 
     explicit WallWalker(const Patch<2>& patch) {
         for (const auto& [a, b] : patch.faces) {
-            next[a] = b;
-            previous[b] = a;
+            if (!next.emplace(a, b).second) meeting.insert(a);
+            if (!previous.emplace(b, a).second) meeting.insert(b);
         }
     }
-    bool isBetween(int node) const { return next.count(node) > 0 && previous.count(node) > 0; }
+    bool isBetween(int node) const { return next.count(node) > 0 && previous.count(node) > 0 && meeting.count(node) == 0; }
 };
 
 bool isStraight(const Points<2>& x, int a, int b, int c) {

@@ -29,7 +29,7 @@ TEST(Errors, fewVertices) {
     expectError(dictOf(fluidBody("a", "(0 0) (1 0)")), "at least 3", body1);
 }
 TEST(Errors, sameVertexTwice) {
-    expectError(dictOf(fluidBody("a", "(0 0) (1 0) (1 0) (0 1)")), "same", body1);
+    expectError(dictOf(fluidBody("a", "(0 0) (1 0) (1 0) (0 0)")), "2 different points; at least 3", body1);
 }
 TEST(Errors, selfIntersection) {
     expectError(dictOf(fluidBody("a", "(0 0) (2 0) (2 1) (1 -0.5) (0 1)")), "crosses itself", body1);
@@ -131,7 +131,12 @@ TEST(Errors, holeOutside) {
                 "does not lie inside", body1);
 }
 TEST(Errors, threeCoordinates) {
-    expectError(dictOf(fluidBody("a", "(0 0 0) (1 0 0) (1 1 3)")), "(x y)", body1);
+    expectError(dictOf(fluidBody("a", "(0 0 0) (1 0 0) (1 1 3)")), "z is 3 there; write (x y)", body1);
+}
+TEST(Errors, velocityOutOfThePlane) {
+    expectError(dictOf(fluidBody("a", square, "velocity (1 0 2);")), "'velocity' leaves the plane", body1);
+    expectError(dictOf(fluidBody("a", square, "velocity expression (\"0\" \"0\" \"x\");")), "z component", body1);
+    EXPECT_NO_THROW(meshOf(dictOf(fluidBody("a", square, "velocity expression (\"x\" \"0\" \"0*x\");"))));
 }
 TEST(Errors, fluidOnBothSidesOfAWall) {
     expectError(dictOf(fluidBody("a", square) + fluidBody("b", "(1 0) (2 0) (2 1) (1 1)"),
