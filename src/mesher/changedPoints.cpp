@@ -42,15 +42,15 @@ std::vector<std::string> mergedPoints(const MeshDescription& mesh, double tolera
     return texts;
 }
 
-std::vector<std::string> leftOutPoints(const MeshDescription& mesh, const std::vector<int>& leftOut) {
+std::vector<std::string> leftOutPoints(const MeshDescription& mesh, const Arrangement& whole, const std::vector<int>& leftOut) {
     std::vector<std::string> texts;
     for (int o = 0; o < nOutlines(mesh); ++o) {
         if (leftOut[o] == 0) continue;
         const Outline& outline = outlineOf(mesh, o);
-        const auto word = pointsWord(mesh, o);
-        texts.push_back(fmt::format("{} has {} {}, more than its mesh size can show: {} of them are left out, which are within {:g} of that "
-                                    "size{}",
-                                    titleOf(mesh, o), outline.points.size(), word, leftOut[o], thinOutTolerance, placeText(outline.at(word))));
+        const auto n = whole.chains[o].size() + (outline.closed ? 0 : 1);
+        texts.push_back(fmt::format("the outline of {} has more points than the mesh size can show: {} of {} are left out, and it changes by less "
+                                    "than {:g} of that size{}",
+                                    titleOf(mesh, o), leftOut[o], n, thinOutTolerance, placeText(outline.at(pointsWord(mesh, o)))));
     }
     return texts;
 }

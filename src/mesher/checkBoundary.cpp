@@ -105,35 +105,50 @@ void checkCrossings(const Names& names, const Chords& chords, const Points<2>& x
                     names.place(std::max(p, q)));
 }
 
-/// Whether one comes from `node` along the outlines to an end of the chord without leaving the circle of `radius`: a detail,
-/// not a gap.
-bool joinedWithin(int node, const Chord& chord, double radius, const Chords& chords, const Points<2>& x) {
-    std::vector<int> reached = {node};
-    for (std::size_t k = 0; k < reached.size(); ++k) {
-        if (chord.touches(reached[k])) return true;
-        for (const int c : chords.at[reached[k]]) {
-            const int next = chords.all[c].otherEnd(reached[k]);
-            if ((x[next] - x[node]).norm() <= radius && std::find(reached.begin(), reached.end(), next) == reached.end())
-                reached.push_back(next);
-        }
+/// The nodes that one comes to from a node along the outlines without leaving the circle of some radius: what they bound is
+/// a detail, not a gap. Also the next ones, wherever they are.
+class Neighbourhood {
+public:
+    Neighbourhood(const Chords& chords, const Points<2>& x) : chords_(chords), x_(x), seenFrom_(x.size(), -1) {}
+
+    void find(int node, double radius) {
+        seenFrom_[node] = node;
+        std::vector<int> reached = {node};
+        for (std::size_t k = 0; k < reached.size(); ++k)
+            for (const int c : chords_.at[reached[k]]) {
+                const int next = chords_.all[c].otherEnd(reached[k]);
+                if (seenFrom_[next] == node) continue;
+                const bool within = (x_[next] - x_[node]).norm() <= radius;
+                if (within) reached.push_back(next);
+                if (within || k == 0) seenFrom_[next] = node;
+            }
+        node_ = node;
     }
-    return false;
-}
+    bool has(const Chord& chord) const { return seenFrom_[chord.a] == node_ || seenFrom_[chord.b] == node_; }
+
+private:
+    const Chords& chords_;
+    const Points<2>& x_;
+    std::vector<int> seenFrom_;
+    int node_ = -1;
+};
 
 void checkGaps(const Names& names, const Chords& chords, const BoundaryNodes& boundary) {
     const auto& x = boundary.x;
-    BinGrid bins(chords.longest);
+    double widest = chords.longest;
+    for (const double size : boundary.h) widest = std::max(widest, leastGap * size);
+    BinGrid bins(widest);
     for (int k = 0; k < static_cast<int>(chords.all.size()); ++k) bins.addSegment(k, x[chords.all[k].a], x[chords.all[k].b]);
+    Neighbourhood joined(chords, x);
     for (int i = 0; i < static_cast<int>(x.size()); ++i) {
         const double least = leastGap * boundary.h[i];
+        joined.find(i, 1.5 * least);
         bins.forEachNear(x[i], least, [&](int k) {
             const Chord& c = chords.all[k];
-            if (c.touches(i) || chords.at[i].empty()) return;
+            if (joined.has(c)) return;
             const double distance = segmentDistance(x[i], x[c.a], x[c.b]);
             if (distance >= least) return;
             const auto& near = chords.at[i];
-            if (std::any_of(near.begin(), near.end(), [&](int j) { return c.touches(chords.all[j].otherEnd(i)); })) return;
-            if (joinedWithin(i, c, 1.5 * least, chords, x)) return;
             const int mine = chords.all[near.back()].piece;
             if (names.sameOutline(mine, c.piece))
                 throw UserError(fmt::format("The outline of {} comes within {:.3g} of itself at ({:.9g} {:.9g}), {} and {}: too narrow for its "

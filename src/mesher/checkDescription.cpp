@@ -99,13 +99,16 @@ void checkBody(const MeshDescription& mesh, int index, double tolerance) {
                                 "0 to {} in their order, the last one with the first",
                                 name, body.name, a, b, n - 1),
                     body.at("patches"));
-    for (const auto& hole : body.holes)
+    for (const auto& hole : body.holes) {
+        if (std::count(body.holes.begin(), body.holes.end(), hole) > 1)
+            throw UserError(fmt::format("Body '{}' has the hole '{}' twice", body.name, hole), body.at("holes"));
         if (bodyIndex(mesh, hole) < 0 || hole == body.name) {
             std::vector<std::string> names;
             for (const auto& other : mesh.bodies)
                 if (other.name != body.name) names.push_back(other.name);
             throw UserError(notValid(hole, "body", names), body.at("holes"));
         }
+    }
 }
 
 }  // namespace

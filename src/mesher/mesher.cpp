@@ -62,6 +62,8 @@ void addPatches(Draft& draft, const MeshDescription& description, const Arrangem
             for (const auto& name : patchesOf(body, use.edge)) addFaces(patchNamed(draft.mesh, name), boundary.ofPiece[p], use.forward);
         }
     }
+    for (const auto& body : description.bodies)
+        for (const auto& [name, edges] : body.patches) patchNamed(draft.mesh, name);  // without a face: the report says so
 }
 
 /// The outlines, cut where they touch, and their nodes.
@@ -84,7 +86,7 @@ Divided divideOutlines(const MeshDescription& description, double tolerance, std
     Divided result = taken ? std::move(simple) : whole;
     checkSpikes(description, result.arrangement, result.boundary);
     if (taken)
-        for (auto& text : leftOutPoints(description, simplified.leftOut)) warnings.push_back(text);
+        for (auto& text : leftOutPoints(description, whole.arrangement, simplified.leftOut)) warnings.push_back(text);
     return result;
 }
 

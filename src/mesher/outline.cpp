@@ -83,12 +83,13 @@ Curve edgeCurve(const Outline& outline, int edge) {
 
 double outlineArea(const Outline& outline) {
     double twice = 0;
-    Vec<2> previous = outline.points.front();
+    const Vec<2> first = outline.points.front();  // areas as seen from it: exact wherever the origin is
+    Vec<2> previous = Vec<2>::Zero();
     for (int e = 0; e < outline.nEdges(); ++e) {
         const Curve curve = edgeCurve(outline, e);
         const int n = curve.isArc() ? 64 : 1;
         for (int k = 1; k <= n; ++k) {
-            const Vec<2> x = curve.point(double(k) / n);
+            const Vec<2> x = curve.point(double(k) / n) - first;
             twice += previous.x() * x.y() - previous.y() * x.x();
             previous = x;
         }

@@ -70,12 +70,16 @@ std::vector<bool> thinOut(const Points<2>& x, const std::vector<double>& h) {
         if (to > from) keepFarthest(x, tolerance, from, to, kept);
         from = std::max(to, from + 1);
     }
-    const std::vector<bool> needed = kept;
-    for (std::size_t from = 0, to = 1; to < x.size(); ++to) {
-        if (!needed[to]) continue;
-        if (to > from + 1) keepEvenly(x, h, from, to, kept);
-        from = to;
-    }
+    const auto forEachGap = [&](const auto& f) {
+        const std::vector<bool> ends = kept;
+        for (std::size_t from = 0, to = 1; to < x.size(); ++to) {
+            if (!ends[to]) continue;
+            if (to > from + 1) f(from, to);
+            from = to;
+        }
+    };
+    forEachGap([&](std::size_t from, std::size_t to) { keepEvenly(x, h, from, to, kept); });
+    forEachGap([&](std::size_t from, std::size_t to) { keepFarthest(x, tolerance, from, to, kept); });
     if (x.front() == x.back() && std::count(kept.begin(), kept.end(), true) < 4) kept.assign(x.size(), true);
     return kept;
 }

@@ -126,6 +126,9 @@ TEST(Errors, unknownHole) {
         dictOf(fluidBody("a", square, "holes (cyl);") + solidBody("cyld", "(0.3 0.3) (0.7 0.3) (0.5 0.7)")),
         "did you mean 'cyld'", body1);
 }
+TEST(Errors, holeTwice) {
+    expectError(dictOf(fluidBody("a", square, "holes (b b);") + solidBody("b", "(0.3 0.3) (0.7 0.3) (0.5 0.7)")), "'b' twice", body1);
+}
 TEST(Errors, holeOutside) {
     expectError(dictOf(fluidBody("a", square, "holes (b);") + solidBody("b", "(2 0) (3 0) (3 1)")),
                 "does not lie inside", body1);

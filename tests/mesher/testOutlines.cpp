@@ -54,7 +54,7 @@ TEST(Outlines, pointsFinerThanTheMeshAreLeftOutAndSaid) {
         const auto mesh = meshOf(linewise(std::string("(0 0) (1 0) (1 ") + d + ") (1 1) (0 1)"));
         expectSound(mesh.state);
         EXPECT_NEAR(mesh.bodies[0].area, 1, 1e-12);
-        EXPECT_TRUE(warnsOf(mesh, "body 'a' has 5 vertices")) << d;
+        EXPECT_TRUE(warnsOf(mesh, "outline of body 'a' has more points than the mesh size can show: 1 of 5")) << d;
         EXPECT_GT(worstAngle(mesh), 25);
     }
     const auto chamfer = meshOf(linewise("(0 0) (0.96 0) (1 0.04) (1 1) (0 1)"));  // a detail that can be seen stays
@@ -71,12 +71,23 @@ std::string circle(int n, double x, double y, double r) {
     return vertices;
 }
 
+TEST(Outlines, farFromTheOrigin) {
+    EXPECT_NEAR(meshOf(linewise("(1e9 -1e9) (1000000001 -1e9) (1000000001 -999999999) (1e9 -999999999)")).bodies[0].area, 1, 1e-6);
+}
+
+TEST(Outlines, aPatchOfMergedPointsIsThereWithoutFaces) {
+    const auto state = meshOf(dictOf(solidBody("a", "(0 0) (1 0) (1 1e-10) (1 1) (0 1)", "patches { p { edges ((1 2)); } }"))).state;
+    EXPECT_TRUE(patchOf(state, "p").faces.empty());
+}
+
+// A ring of a hundred thousand points takes a second, not minutes.
 TEST(Outlines, aThousandPointsOnACurve) {
     const auto mesh = meshOf(linewise(circle(1000, 0, 0, 1)));
     expectSound(mesh.state);
     EXPECT_NEAR(mesh.bodies[0].area, std::numbers::pi, 0.005 * std::numbers::pi);
     EXPECT_NEAR(mesh.state.mesh.fluid.size(), std::numbers::pi / (0.25 * std::sqrt(3.0) * 0.01), 60);
     EXPECT_GT(worstAngle(mesh), 30);
+    EXPECT_NEAR(meshOf(dictOf(fluidBody("a", circle(100000, 0, 0, 1)))).bodies[0].area, std::numbers::pi, 0.005 * std::numbers::pi);
 }
 
 // Water, a solid in it and a wall round it are thinned out alike: they go on sharing their nodes.
