@@ -15,12 +15,12 @@ void checkShape(const MeshDescription& mesh, int outline, bool arcs = false);
 /// More than 2e7 triangles: almost certainly a slip in meshSize or in the units.
 void checkCount(const MeshDescription& mesh);
 
-/// Outlines that cross, or come closer than a tenth of the size without touching.
-void checkBoundary(const MeshDescription& mesh, const Arrangement& arrangement,
-                   const BoundaryNodes& boundary);
-
-/// Whether outlines cross.
+/// Outlines that cross.
+void checkCrossings(const MeshDescription& mesh, const Arrangement& arrangement, const BoundaryNodes& boundary);
 bool crosses(const BoundaryNodes& boundary);
+
+/// Outlines that come closer than a tenth of the size to others or themselves without touching.
+void checkGaps(const MeshDescription& mesh, const Arrangement& arrangement, const BoundaryNodes& boundary);
 
 /// Edges that meet at an angle too sharp for a triangle.
 void checkSpikes(const MeshDescription& mesh, const Arrangement& arrangement, const BoundaryNodes& boundary);

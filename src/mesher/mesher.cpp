@@ -76,10 +76,12 @@ struct Divided {
         : arrangement(std::move(all)), size(description, arrangement), boundary(divideBoundary(arrangement, size)) {}
 };
 
+/// Outlines with more points than the mesh can show are simplified, unless they would cross then.
 Divided divideOutlines(const MeshDescription& description, double tolerance, std::vector<std::string>& warnings) {
     warnings = mergedPoints(description, tolerance);
     const Divided whole(description, arrange(description, tolerance));
-    checkBoundary(description, whole.arrangement, whole.boundary);
+    checkCrossings(description, whole.arrangement, whole.boundary);
+    checkGaps(description, whole.arrangement, whole.boundary);
     const Simplified simplified = simplify(whole.arrangement, description, whole.size);
     Divided simple(description, simplified.arrangement);
     const bool taken = simplified.changed() && !crosses(simple.boundary);

@@ -48,6 +48,7 @@ private:
         while (lines_.next()) {
             if (lines_.word(0).front() != '$') lines_.fail(fmt::format("a section like $Nodes expected, '{}' found", lines_.word(0)));
             const std::string name(lines_.word(0).substr(1));
+            if (name == "NOD") lines_.fail("its format is that of Gmsh's version 1: save it as 2.2 or 4.1");
             // 2.2 with places on the geometry behind each node's coordinates
             const std::string section = name == "ParametricNodes" ? "Nodes" : name;
             if (isSingle(section) && !sections_.emplace(section, lines_.place()).second) lines_.fail("a second $" + name);

@@ -87,6 +87,7 @@ TEST(MeshFile, ErrorsNameTheLine) {
     for (const Bad& bad : std::vector<Bad>{
              {"2.2 0 8", "4.0 0 8", "save it as 2.2 or 4.1", 2},
              {"2.2 0 8", "2.2 1 8", "other order", 0},
+             {"$MeshFormat", "$NOD", "version 1: save it as 2.2 or 4.1", 1},
              {"3 1 1 0\n", "3 1 one 0\n", "'one' is not a number", 13},
              {"3 1 1 0\n", "3 1 nan 0\n", "not a finite number", 13},
              {"3 1 1 0\n", "3 1 1 0.5\n", "leaves the plane", 13},
