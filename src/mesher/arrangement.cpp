@@ -92,7 +92,59 @@ void cancelHoles(std::vector<PieceUse>& uses) {
     }
 }
 
+/// Where the outline goes there and back along one piece it goes nowhere.
+void dropSpikes(int outline, Arrangement& arrangement) {
+    auto& chain = arrangement.chains[outline];
+    const auto isSpike = [&](const PieceRef& p, const PieceRef& q) { return p.piece == q.piece && p.forward != q.forward; };
+    const auto dropUses = [&](const PieceRef& ref) {
+        std::erase_if(arrangement.pieces[ref.piece].uses, [&](const PieceUse& use) { return use.outline == outline; });
+    };
+    std::vector<PieceRef> kept;
+    for (const auto& ref : chain) {
+        kept.push_back(ref);
+        if (kept.size() < 2 || !isSpike(kept[kept.size() - 2], ref)) continue;
+        dropUses(ref);
+        kept.resize(kept.size() - 2);
+        ++arrangement.spikes[outline];
+    }
+    while (kept.size() > 2 && isSpike(kept.front(), kept.back())) {
+        dropUses(kept.front());
+        kept.erase(kept.begin());
+        kept.pop_back();
+        ++arrangement.spikes[outline];
+    }
+    chain = kept;
+}
+
+/// Pieces that no outline uses any more, and vertices that no piece has.
+void dropUnused(Arrangement& arrangement) {
+    std::vector<int> rank(arrangement.pieces.size(), -1);
+    std::vector<Piece> left;
+    for (std::size_t p = 0; p < rank.size(); ++p) {
+        if (arrangement.pieces[p].uses.empty()) continue;
+        rank[p] = static_cast<int>(left.size());
+        left.push_back(arrangement.pieces[p]);
+    }
+    arrangement.pieces = left;
+    for (auto& chain : arrangement.chains)
+        for (auto& ref : chain) ref.piece = rank[ref.piece];
+    dropVertices(arrangement);
+}
+
 }  // namespace
+
+void dropVertices(Arrangement& arrangement) {
+    std::vector<int> rank(arrangement.vertices.size(), -1);
+    for (const auto& piece : arrangement.pieces) rank[piece.a] = rank[piece.b] = 0;
+    Points<2> left;
+    for (std::size_t v = 0; v < rank.size(); ++v) {
+        if (rank[v] < 0) continue;
+        rank[v] = static_cast<int>(left.size());
+        left.push_back(arrangement.vertices[v]);
+    }
+    arrangement.vertices = left;
+    for (auto& piece : arrangement.pieces) piece.a = rank[piece.a], piece.b = rank[piece.b];
+}
 
 bool Arrangement::bounds(int piece, int body, bool rim) const {
     const auto& uses = pieces[piece].uses;
@@ -117,6 +169,7 @@ Arrangement arrange(const MeshDescription& mesh, double tolerance) {
     result.vertices = vertices.x;
 
     result.chains.resize(index);
+    result.spikes.assign(index, 0);
     std::multimap<std::pair<int, int>, int> known;  // ends -> piece
     for (const auto& e : edges) {
         const auto at = cuts(e, vertices, tolerance);
@@ -142,6 +195,9 @@ Arrangement arrange(const MeshDescription& mesh, double tolerance) {
             result.chains[e.outline].push_back({piece, forward});
         }
     }
+    for (int o = 0; o < index; ++o)
+        if (o < result.nBodies || mesh.walls[o - result.nBodies].closed) dropSpikes(o, result);
+    dropUnused(result);
     for (int b = 0; b < result.nBodies; ++b)
         for (const auto& hole : mesh.bodies[b].holes)
             for (const auto& ref : result.chains[bodyIndex(mesh, hole)])

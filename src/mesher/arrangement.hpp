@@ -33,6 +33,7 @@ struct Arrangement {
     Points<2> vertices;
     std::vector<Piece> pieces;
     std::vector<std::vector<PieceRef>> chains;  // per outline, in its order
+    std::vector<int> spikes;                    // per outline: tips of spikes without width that were dropped
     int nBodies = 0;
 
     bool isWall(const PieceUse& use) const { return use.outline >= nBodies; }
@@ -41,6 +42,9 @@ struct Arrangement {
     /// Whether the piece bounds the body: as part of its outline, or as part of a hole's (`rim`).
     bool bounds(int piece, int body, bool rim) const;
 };
+
+/// Without the vertices that no piece has.
+void dropVertices(Arrangement& arrangement);
 
 /// Points nearer than `tolerance` [m] are one vertex. Where a hole touches its body's outline, or another hole, neither
 /// bounds the body.

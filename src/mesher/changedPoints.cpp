@@ -47,7 +47,7 @@ std::vector<std::string> leftOutPoints(const MeshDescription& mesh, const Arrang
     for (int o = 0; o < nOutlines(mesh); ++o) {
         if (leftOut[o] == 0) continue;
         const Outline& outline = outlineOf(mesh, o);
-        const auto n = whole.chains[o].size() + (outline.closed ? 0 : 1);
+        const auto n = whole.chains[o].size() + static_cast<std::size_t>(whole.spikes[o]) + (outline.closed ? 0 : 1);
         texts.push_back(fmt::format("the outline of {} has more points than the mesh size can show: {} of {} are left out, and it changes by less "
                                     "than {:g} of that size{}",
                                     titleOf(mesh, o), leftOut[o], n, thinOutTolerance, placeText(outline.at(pointsWord(mesh, o)))));

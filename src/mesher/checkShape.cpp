@@ -5,6 +5,7 @@
 #include "mesher/binGrid.hpp"
 #include "mesher/checks.hpp"
 #include "mesher/crossing.hpp"
+#include "mesher/thinOut.hpp"
 
 namespace pfem {
 
@@ -21,7 +22,7 @@ class Shape {
 public:
     Shape(const MeshDescription& mesh, int outline, bool arcs)
         : mesh_(mesh), index_(outline), outline_(outlineOf(mesh, outline)), wall_(outline >= static_cast<int>(mesh.bodies.size())),
-          tolerance_(mergeDistance(mesh)) {
+          tolerance_(mergeDistance(mesh)), detail_(thinOutTolerance * 1e6 * tolerance_) {
         const auto points = distinctPoints(outline_, tolerance_);
         const int n = static_cast<int>(outline_.points.size());
         for (std::size_t k = 0; k < points.size(); ++k) {
@@ -64,6 +65,7 @@ private:
     void checkTurn(const Side& s, const Side& t) const {
         if (segmentDistance(t.b, s.a, s.b) > tolerance_ && segmentDistance(s.a, t.a, t.b) > tolerance_) return;
         if (s.from >= 0 && s.from == t.to) return;  // two edges between two points, one of them an arc
+        if (std::min((s.b - s.a).norm(), (t.b - t.a).norm()) < detail_) return;
         fail(fmt::format("runs back on itself at its {} {} {}: a spike without width. {}", one(), s.to, place(s.b),
                          wall_ ? "A wall needs a thickness." : "Leave it out."),
              s.to);
@@ -72,10 +74,16 @@ private:
     void checkPair(const Side& s, const Side& t) const {
         for (const int p : {s.from, s.to})
             for (const int q : {t.from, t.to})
-                if (p >= 0 && p == q) return;
+                if (p >= 0 && (p == q || neighbours(p, q))) return;
         if (!wall_) checkTouch(s, t);
         if (const auto at = crossingOf(s.a, s.b, t.a, t.b); at && !(wall_ && touch(s, t)))
             fail(fmt::format("crosses itself near {}: {} and {}", place(*at), edge(s), edge(t)), std::max(s.from, 0));
+    }
+
+    /// Whether an edge too short for the mesh to show joins the points.
+    bool neighbours(int p, int q) const {
+        const int n = static_cast<int>(outline_.points.size()), between = std::abs(p - q);
+        return q >= 0 && (between == 1 || (outline_.closed && between == n - 1)) && (outline_.points[p] - outline_.points[q]).norm() < detail_;
     }
 
     bool touch(const Side& s, const Side& t) const {
@@ -102,7 +110,7 @@ private:
     int index_;
     const Outline& outline_;
     bool wall_;
-    double tolerance_;
+    double tolerance_, detail_;  // [m]: below the first points are one, below the second they may be left out
     std::vector<Side> sides_;
 };
 

