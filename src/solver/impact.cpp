@@ -6,6 +6,7 @@
 #include "mesh/simplex.hpp"
 #include "momentum/boundaryConditions.hpp"
 #include "momentum/mass.hpp"
+#include "solver/inelastic.hpp"
 
 namespace pfem {
 
@@ -14,16 +15,12 @@ namespace {
 constexpr int mostTurns = 20;
 constexpr double enough = 0.01;  // of the fastest closing
 
-/// How patches and walls hold the nodes where they are. The contact line of a no-slip wall, which may creep, takes no impulse either.
+/// How patches and walls hold the nodes where they are, as in the momentum equation of the next step: the contact line of a no-slip wall
+/// slides along it.
 template <int Dim>
 NodeConstraints<Dim> holdOf(const Problem<Dim>& problem, const State<Dim>& state) {
     const auto topology = makeTopology<Dim>(state.mesh, problem.conditions.kind, state.nodes.wall);
-    const double now = state.time.value;
-    auto c = nodeConstraints<Dim>(state.mesh, problem.conditions, topology, state.nodes, now, now);
-    for (int i = 0; i < state.nodes.size(); ++i)
-        if (topology.onWall[i] && problem.conditions.kind[topology.walls[state.nodes.wall[i]].patch] == PatchKind::noSlipWall)
-            c.hold[i] = Hold::fixed;
-    return c;
+    return nodeConstraints<Dim>(state.mesh, problem.conditions, topology, state.nodes, problem.time, problem.time);
 }
 
 /// The contacts without nodes of solids.
@@ -36,34 +33,67 @@ std::vector<Simplex<Dim>> betweenFluids(const std::vector<Simplex<Dim>>& contact
     return result;
 }
 
+template <int Dim>
+MeetingCell<Dim> meetingCell(const Simplex<Dim>& s, const Nodes<Dim>& nodes, const std::vector<double>& mass,
+                             const NodeConstraints<Dim>& constraints) {
+    MeetingCell<Dim> cell;
+    cell.gradN = simplexGeometry<Dim>(nodes.x, s).gradN;
+    for (int k = 0; k <= Dim; ++k) {
+        cell.x[k] = nodes.x[s[k]];
+        cell.v[k] = nodes.v[s[k]];
+        cell.mass[k] = mass[s[k]];
+        for (int d = 0; d < Dim; ++d) cell.freedom[k].col(d) = constraints.project(s[k], Vec<Dim>::Unit(d));
+    }
+    return cell;
+}
+
+/// The largest speed of the contacts' nodes.
+template <int Dim>
+double fastestOf(const std::vector<Simplex<Dim>>& contacts, const Points<Dim>& v) {
+    double fastest = 0;
+    for (const auto& s : contacts)
+        for (int i : s) fastest = std::max(fastest, v[i].norm());
+    return fastest;
+}
+
+/// The largest speed at which a node of the contacts is held, that of a moving wall.
+template <int Dim>
+double fastestHold(const std::vector<Simplex<Dim>>& contacts, const Points<Dim>& v, const NodeConstraints<Dim>& constraints) {
+    double fastest = 0;
+    for (const auto& s : contacts)
+        for (int i : s) fastest = std::max(fastest, (v[i] - constraints.project(i, v[i])).norm());
+    return fastest;
+}
+
 }  // namespace
 
 template <int Dim>
 void strike(const Problem<Dim>& problem, const std::vector<Simplex<Dim>>& contacts, State<Dim>& state) {
-    auto& v = state.nodes.v;
+    auto& nodes = state.nodes;
     const auto struck = betweenFluids<Dim>(contacts, state);
-    double fastest = 0;
-    for (const auto& s : struck) fastest = std::max(fastest, -simplexDivergence<Dim>(state.nodes.x, v, s));
-    if (fastest == 0) return;
+    if (std::none_of(struck.begin(), struck.end(), [&](const auto& s) { return simplexDivergence<Dim>(nodes.x, nodes.v, s) < 0; }))
+        return;
     const auto constraints = holdOf<Dim>(problem, state);
-    const auto mass = fluidMass<Dim>(problem, state.mesh.fluid, state.nodes.x);
-    bool closing = true;
+    const auto mass = fluidMass<Dim>(problem, state.mesh.fluid, nodes.x);
+    const double before = fastestOf<Dim>(struck, nodes.v);
+    for (const auto& s : struck)  // what a wall holds from now on strikes nobody
+        for (int i : s) nodes.v[i] = constraints.velocity(i, nodes.x[i], nodes.v[i]);
+    const Points<Dim> held = nodes.v;
+    double fastest = 0;
+    for (const auto& s : struck) fastest = std::max(fastest, -simplexDivergence<Dim>(nodes.x, nodes.v, s));
+    bool closing = fastest > 0;
     for (int turn = 0; closing && turn < mostTurns; ++turn) {
         closing = false;
         for (const auto& s : struck) {
-            const auto g = simplexGeometry<Dim>(state.nodes.x, s);
-            double div = 0, mobility = 0;
-            std::array<Vec<Dim>, Dim + 1> change;  // by an impulse of 1
-            for (int k = 0; k <= Dim; ++k) {
-                change[k] = constraints.project(s[k], g.gradN[k]) / mass[s[k]];
-                div += v[s[k]].dot(g.gradN[k]);
-                mobility += change[k].dot(g.gradN[k]);
-            }
-            if (div >= -enough * fastest || !(mobility > 0)) continue;
+            auto cell = meetingCell<Dim>(s, nodes, mass, constraints);
+            if (cell.divergence() >= -enough * fastest || !stopClosing<Dim>(cell)) continue;
             closing = true;
-            for (int k = 0; k <= Dim; ++k) v[s[k]] -= div / mobility * change[k];
+            for (int k = 0; k <= Dim; ++k) nodes.v[s[k]] = cell.v[k];
         }
     }
+    // walls that move in several ways could play ball with a node
+    const double limit = before + fastestHold<Dim>(struck, held, constraints);
+    if (fastestOf<Dim>(struck, nodes.v) > limit * (1 + 1e-12)) nodes.v = held;
 }
 
 template void strike<2>(const Problem<2>&, const std::vector<Simplex<2>>&, State<2>&);
