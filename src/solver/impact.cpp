@@ -1,6 +1,7 @@
 #include "solver/impact.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "mesh/adjacency.hpp"
 #include "mesh/simplex.hpp"
@@ -47,6 +48,23 @@ MeetingCell<Dim> meetingCell(const Simplex<Dim>& s, const Nodes<Dim>& nodes, con
     return cell;
 }
 
+/// Per node of the contacts the largest value of all that hang together by shared nodes; 0 elsewhere. `value`: of a contact.
+template <int Dim, class Value>
+std::vector<double> largestTogether(const std::vector<Simplex<Dim>>& contacts, int nNodes, Value value) {
+    std::vector<double> largest(nNodes, 0.0);
+    for (const auto& s : contacts)
+        for (int i : s) largest[i] = std::max(largest[i], value(s));
+    for (bool again = true; again;) {
+        again = false;
+        for (const auto& s : contacts) {
+            double most = 0;
+            for (int i : s) most = std::max(most, largest[i]);
+            for (int i : s) again = std::exchange(largest[i], most) < most || again;
+        }
+    }
+    return largest;
+}
+
 /// The largest speed of the contacts' nodes.
 template <int Dim>
 double fastestOf(const std::vector<Simplex<Dim>>& contacts, const Points<Dim>& v) {
@@ -54,6 +72,19 @@ double fastestOf(const std::vector<Simplex<Dim>>& contacts, const Points<Dim>& v
     for (const auto& s : contacts)
         for (int i : s) fastest = std::max(fastest, v[i].norm());
     return fastest;
+}
+
+/// The largest velocity in a contact against its centre of mass.
+template <int Dim>
+double apartIn(const Simplex<Dim>& s, const std::vector<double>& mass, const Points<Dim>& v) {
+    Vec<Dim> momentum = Vec<Dim>::Zero();
+    double sum = 0, largest = 0;
+    for (int i : s) {
+        momentum += mass[i] * v[i];
+        sum += mass[i];
+    }
+    for (int i : s) largest = std::max(largest, (v[i] - momentum / sum).norm());
+    return largest;
 }
 
 /// The largest speed at which a node of the contacts is held, that of a moving wall.
@@ -79,6 +110,8 @@ void strike(const Problem<Dim>& problem, const std::vector<Simplex<Dim>>& contac
     for (const auto& s : struck)  // what a wall holds from now on strikes nobody
         for (int i : s) nodes.v[i] = constraints.velocity(i, nodes.x[i], nodes.v[i]);
     const Points<Dim> held = nodes.v;
+    const auto speed = largestTogether<Dim>(struck, nodes.size(), [&](const auto& s) { return fastestOf<Dim>({s}, held); });
+    const auto apart = largestTogether<Dim>(struck, nodes.size(), [&](const auto& s) { return apartIn<Dim>(s, mass, held); });
     double fastest = 0;
     for (const auto& s : struck) fastest = std::max(fastest, -simplexDivergence<Dim>(nodes.x, nodes.v, s));
     bool closing = fastest > 0;
@@ -86,6 +119,8 @@ void strike(const Problem<Dim>& problem, const std::vector<Simplex<Dim>>& contac
         closing = false;
         for (const auto& s : struck) {
             auto cell = meetingCell<Dim>(s, nodes, mass, constraints);
+            cell.speed = speed[s[0]];
+            cell.apart = apart[s[0]];
             if (cell.divergence() >= -enough * fastest || !stopClosing<Dim>(cell)) continue;
             closing = true;
             for (int k = 0; k <= Dim; ++k) nodes.v[s[k]] = cell.v[k];

@@ -24,7 +24,8 @@ using NodalVector = Eigen::Matrix<double, Dim*(Dim + 1), 1>;
 
 /// Velocities at the nodes by translations, one a column, then turns about `centre`.
 template <int Dim>
-Eigen::Matrix<double, Dim*(Dim + 1), Eigen::Dynamic> rigidModes(const MeetingCell<Dim>& cell, const Vec<Dim>& centre) {
+Eigen::Matrix<double, Dim*(Dim + 1), Eigen::Dynamic> rigidModes(const MeetingCell<Dim>& cell,
+                                                                const Vec<Dim>& centre) {
     Eigen::Matrix<double, Dim*(Dim + 1), Eigen::Dynamic> modes(Dim * (Dim + 1), Dim + Dim * (Dim - 1) / 2);
     modes.setZero();
     double size = 0;
@@ -41,8 +42,8 @@ Eigen::Matrix<double, Dim*(Dim + 1), Eigen::Dynamic> rigidModes(const MeetingCel
     return modes;
 }
 
-/// Velocities at all nodes of the rigid motion that the holds have in common, without a turn where they need none; nothing where they move to
-/// each other.
+/// Velocities at all nodes of the rigid motion that the holds have in common, without a turn where they need
+/// none; nothing where they move to each other.
 template <int Dim>
 std::optional<Velocities<Dim>> frameOf(const MeetingCell<Dim>& cell) {
     Velocities<Dim> frame;
@@ -59,7 +60,8 @@ std::optional<Velocities<Dim>> frameOf(const MeetingCell<Dim>& cell) {
     const auto modes = rigidModes<Dim>(cell, centre / weight);
     auto ofHolds = modes;
     for (int k = 0; k <= Dim; ++k)
-        ofHolds.template middleRows<Dim>(Dim * k) = heldPart<Dim>(cell, k) * modes.template middleRows<Dim>(Dim * k);
+        ofHolds.template middleRows<Dim>(Dim * k) =
+            heldPart<Dim>(cell, k) * modes.template middleRows<Dim>(Dim * k);
     for (const Eigen::Index nModes : {Eigen::Index(Dim), modes.cols()}) {
         const Eigen::VectorXd motion = ofHolds.leftCols(nModes).completeOrthogonalDecomposition().solve(held);
         if ((ofHolds.leftCols(nModes) * motion - held).norm() > 1e-9 * held.norm()) continue;
@@ -78,7 +80,8 @@ Tensor<Dim> commonFreedom(const MeetingCell<Dim>& cell) {
     const Eigen::SelfAdjointEigenSolver<Tensor<Dim>> eigen(held);
     Tensor<Dim> common = Tensor<Dim>::Zero();
     for (int d = 0; d < Dim; ++d)
-        if (eigen.eigenvalues()[d] < 1e-12) common += eigen.eigenvectors().col(d) * eigen.eigenvectors().col(d).transpose();
+        if (eigen.eigenvalues()[d] < 1e-12)
+            common += eigen.eigenvectors().col(d) * eigen.eigenvectors().col(d).transpose();
     return common;
 }
 
@@ -132,9 +135,10 @@ bool stopClosing(MeetingCell<Dim>& cell) {
         mass += cell.mass[k];
     }
     together = commonFreedom<Dim>(cell) * together / mass;
-    const double apart = largestNorm<Dim>(before, together), apartAfter = largestNorm<Dim>(after, together);
+    const double apart = std::max(cell.apart, largestNorm<Dim>(before, together)),
+                 apartAfter = largestNorm<Dim>(after, together);
     double beta = apartAfter > apart ? 1 - apart / apartAfter : 0;
-    const double limit = largestNorm<Dim>(before, Vec<Dim>::Zero());
+    const double limit = std::max(cell.speed, largestNorm<Dim>(before, Vec<Dim>::Zero()));
     for (const auto& u : after) beta = std::max(beta, wayTo<Dim>(together, u, limit));
     for (int k = 0; k <= Dim; ++k)
         cell.v[k] += cell.freedom[k] * (after[k] + beta * (together - after[k]) - before[k]);

@@ -1,4 +1,5 @@
-// Random contacts: whatever meets and whatever holds it, the cell no longer closes, nobody becomes faster and no energy is made.
+// Random contacts: whatever meets and whatever holds it, the cell no longer closes, nobody becomes faster and
+// no energy is made.
 
 #include "solver/inelastic.hpp"
 
@@ -22,7 +23,9 @@ struct Rigid {
 
 class RandomCells {
 public:
-    double number(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+    double number(double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random_);
+    }
     Vec<2> direction() {
         const double angle = number(0, 2 * M_PI);
         return {std::cos(angle), std::sin(angle)};
@@ -52,7 +55,9 @@ public:
         return cell;
     }
 
-    static Tensor<2> heldPart(const MeetingCell<2>& cell, int k) { return Tensor<2>::Identity() - cell.freedom[k]; }
+    static Tensor<2> heldPart(const MeetingCell<2>& cell, int k) {
+        return Tensor<2>::Identity() - cell.freedom[k];
+    }
 
 private:
     std::mt19937 random_{7};
@@ -61,7 +66,8 @@ private:
 
 double energyOf(const MeetingCell<2>& cell, const Rigid& frame) {
     double energy = 0;
-    for (int k = 0; k < 3; ++k) energy += 0.5 * cell.mass[k] * (cell.v[k] - frame.at(cell.x[k])).squaredNorm();
+    for (int k = 0; k < 3; ++k)
+        energy += 0.5 * cell.mass[k] * (cell.v[k] - frame.at(cell.x[k])).squaredNorm();
     return energy;
 }
 
@@ -106,16 +112,20 @@ TEST(Inelastic, RandomContacts) {
         ++struck;
         expectInelastic(before, after, {});
         double mobility = 0;  // what the impulses alone would do
-        for (int k = 0; k < 3; ++k) mobility += before.gradN[k].dot(before.freedom[k] * before.gradN[k]) / before.mass[k];
+        for (int k = 0; k < 3; ++k)
+            mobility += before.gradN[k].dot(before.freedom[k] * before.gradN[k]) / before.mass[k];
         MeetingCell<2> alone = before;
-        for (int k = 0; k < 3; ++k) alone.v[k] -= before.divergence() / mobility * before.freedom[k] * before.gradN[k] / before.mass[k];
+        for (int k = 0; k < 3; ++k)
+            alone.v[k] -=
+                before.divergence() / mobility * before.freedom[k] * before.gradN[k] / before.mass[k];
         thrown += fastestOf(alone, {}) > 10 * fastestOf(before, {});
     }
     EXPECT_GT(struck, 5000);
     EXPECT_GT(thrown, 50);  // such contacts are among them
 }
 
-/// Do the holds say all about the wall's motion, its turn included? A fixed node and another one that may not turn about it do.
+/// Do the holds say all about the wall's motion, its turn included? A fixed node and another one that may not
+/// turn about it do.
 bool saysAll(const MeetingCell<2>& cell) {
     for (int k = 0; k < 3; ++k)
         for (int j = 0; cell.freedom[k].isZero() && j < 3; ++j) {
@@ -140,7 +150,8 @@ TEST(Inelastic, RandomContactsOnAMovingWall) {
     EXPECT_GT(struck, 1000);
 }
 
-// Two heavy nodes meet, one near the end of an edge, the light node at its other end: impulses alone would throw it with 20 m/s.
+// Two heavy nodes meet, one near the end of an edge, the light node at its other end: impulses alone would
+// throw it with 20 m/s.
 TEST(Inelastic, ALightNodeIsNotThrown) {
     MeetingCell<2> cell;
     const Points<2> x{{0.05, 0.1}, {0, 0}, {1, 0}};
@@ -152,7 +163,10 @@ TEST(Inelastic, ALightNodeIsNotThrown) {
     EXPECT_TRUE(stopClosing<2>(cell));
     EXPECT_NEAR(cell.divergence(), 0, 1e-9);
     EXPECT_LE(fastestOf(cell, {}), 1 + 1e-12);
-    EXPECT_NEAR((cell.mass[0] * cell.v[0] + cell.mass[1] * cell.v[1] + cell.mass[2] * cell.v[2] - Vec<2>(0, -1)).norm(), 0, 1e-12);
+    EXPECT_NEAR(
+        (cell.mass[0] * cell.v[0] + cell.mass[1] * cell.v[1] + cell.mass[2] * cell.v[2] - Vec<2>(0, -1))
+            .norm(),
+        0, 1e-12);
 }
 
 TEST(Inelastic, HoldsThatMoveToEachOtherAreLeft) {
@@ -171,9 +185,12 @@ TEST(Inelastic, HoldsThatMoveToEachOtherAreLeft) {
 // Cells of a mesh with walls, several at a time, light and heavy nodes, contact lines on the walls.
 TEST(Inelastic, RandomContactsThatShareNodes) {
     std::mt19937 random(3);
-    const auto number = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+    const auto number = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
     for (const std::string kind : {"slip", "noSlip"}) {
-        const TestCase whole = makeCase("meshSize 0.125; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.5) +
+        const TestCase whole = makeCase("meshSize 0.125; bodies ( water { type fluid; material water; " +
+                                            rectangle(0, 0, 1, 0.5) +
                                             " } ); walls ( tank { points ((0 1) (0 0) (1 0) (1 1)); } );",
                                         water, "tank { type " + kind + "; }");
         int struck = 0;
@@ -185,18 +202,22 @@ TEST(Inelastic, RandomContactsThatShareNodes) {
             c.state.mesh.fluid.material.resize(c.state.mesh.fluid.nodes.size());
             const auto topology = c.topology();
             for (int i = 0; i < nodes.size(); ++i)  // along walls the nodes come near to each other
-                if (!topology.corner[i]) nodes.x[i] += c.constraints(topology).project(i, Vec<2>(number(-0.04, 0.04), number(-0.04, 0.04)));
+                if (!topology.corner[i])
+                    nodes.x[i] +=
+                        c.constraints(topology).project(i, Vec<2>(number(-0.04, 0.04), number(-0.04, 0.04)));
             std::vector<Simplex<2>> contacts;
             for (const auto& s : c.state.mesh.fluid.nodes)
                 if (number(0, 1) < 0.3 && simplexMeasure<2>(nodes.x, s) > 1e-6) contacts.push_back(s);
-            std::erase_if(c.state.mesh.fluid.nodes, [&](const auto& s) { return !(simplexMeasure<2>(nodes.x, s) > 1e-6); });
+            std::erase_if(c.state.mesh.fluid.nodes,
+                          [&](const auto& s) { return !(simplexMeasure<2>(nodes.x, s) > 1e-6); });
             c.state.mesh.fluid.material.resize(c.state.mesh.fluid.nodes.size());
             const auto now = c.topology();
             const auto constraints = c.constraints(now);
             for (int i = 0; i < nodes.size(); ++i) {
                 nodes.v[i] = {number(-2, 2), number(-2, 2)};
                 // what has just been covered still has the velocity with which it crept
-                if (now.onWall[i]) nodes.v[i] -= constraints.normal[i] * constraints.normal[i].dot(nodes.v[i]);
+                if (now.onWall[i])
+                    nodes.v[i] -= constraints.normal[i] * constraints.normal[i].dot(nodes.v[i]);
                 if (now.corner[i]) nodes.v[i].setZero();
             }
             const auto mass = fluidMass<2>(c.problem, c.state.mesh.fluid, nodes.x);
