@@ -58,6 +58,8 @@ MassBalance MassAccount<Dim>::balance(const State<Dim>& state) const {
     b.causes = state.ledger;
     for (const auto& [cause, volume] : initialLedger_) b.causes[cause] -= volume;
     for (const auto& [cause, volume] : b.causes) b.sumOfCauses += volume;
+    const auto gone = b.causes.find("gone");
+    b.withoutGone = b.relativeChange - (gone != b.causes.end() && initialVolume_ > 0 ? gone->second / initialVolume_ : 0);
     b.unexplained = b.volume - initialVolume_ - b.sumOfCauses;
     return b;
 }

@@ -39,6 +39,16 @@ std::vector<unsigned char> keptNodes(const Mesh<Dim>& mesh, int nNodes) {
     return kept;
 }
 
+/// Nodes of no cell and no patch: drops in free flight, or on their way along a wall.
+template <int Dim>
+std::vector<unsigned char> looseNodes(const Mesh<Dim>& mesh, int nNodes) {
+    auto loose = keptNodes<Dim>(mesh, nNodes);
+    for (const auto& cell : mesh.fluid.nodes)
+        for (int node : cell) loose[node] = 1;
+    for (auto& one : loose) one = !one;
+    return loose;
+}
+
 enum class FaceKind { freeSurface, interface, wall };
 
 /// A face of the fluid without a fluid neighbour.

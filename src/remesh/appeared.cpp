@@ -75,6 +75,8 @@ std::vector<double> passedOn(const std::vector<double>& old, const std::vector<i
 
 template <int Dim>
 void countAppeared(State<Dim>& state) {
+    state.appeared.clear();
+    if (state.ledger.count("gone") > 0) state.appeared["gone"].assign(state.nodes.size(), 0.0);
     for (const char* cause : {"solver", "correction", "compression", "surface", "released", "landed", "returned", "contact", "stretched",
                               "reshaped", "isolated"})
         state.appeared[cause].assign(state.nodes.size(), 0.0);
@@ -94,6 +96,8 @@ void bookRemeshing(const MovedMesh<Dim>& moved, const std::vector<int>& newIndex
         if (cause == "stretched") addCells<Dim>(selected.stretchedCells, x, -1, booked);
         if (cause == "released") addCells<Dim>(selected.releasedCells, x, -1, booked);
         if (cause == "reshaped") booked = reshaped;
+        if (cause == "gone")
+            for (std::size_t i = 0; i < amounts.size(); ++i) amounts[i] -= moved.gone[i];
         if (cause == "isolated") {
             booked = state.nodes.dropVolume;
             for (std::size_t i = 0; i < amounts.size(); ++i) amounts[i] -= moved.dropVolume[i];

@@ -26,6 +26,7 @@ struct RemeshingControls {
     bool keepSurface = true;
     double distortion = 0;
     double surfaceShift = 0.05;
+    bool letGo = true;
 
     template <class Visitor>
     void entries(Visitor& v) {
@@ -66,6 +67,10 @@ struct RemeshingControls {
           "distance / h that a free-surface node may shift in a step to make up for volume that was lost or gained around "
           "it; 0 = none",
           nonNegative);
+        v("letGo", letGo, "-",
+          "a drop goes when it has left the box of walls, solids and the rest of the fluid and can never come back (under a gravity that "
+          "stays as it is); its volume is the ledger's cause gone",
+          any);
         v("distortion", distortion, "-",
           "remesh when the least quality of a fluid triangle falls below this; 0 = every step", nonNegative);
     }

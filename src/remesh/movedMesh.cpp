@@ -5,12 +5,14 @@
 namespace pfem {
 
 template <int Dim>
-MovedMesh<Dim> movedMesh(const State<Dim>& state, Topology<Dim> topology) {
+MovedMesh<Dim> movedMesh(const State<Dim>& state, Topology<Dim> topology, const std::vector<int>& gone) {
     MovedMesh<Dim> moved;
     moved.x = state.nodes.x;
     moved.wall = state.nodes.wall;
     moved.dropVolume = state.nodes.dropVolume;
     moved.lostVolume = state.nodes.lostVolume;
+    moved.gone.assign(moved.x.size(), 0.0);
+    for (const int drop : gone) std::swap(moved.gone[drop], moved.dropVolume[drop]);
     moved.fluid = state.mesh.fluid.nodes;
     moved.solid = state.mesh.solid.nodes;
     moved.topology = std::move(topology);
@@ -18,6 +20,6 @@ MovedMesh<Dim> movedMesh(const State<Dim>& state, Topology<Dim> topology) {
     return moved;
 }
 
-template MovedMesh<2> movedMesh<2>(const State<2>&, Topology<2>);
+template MovedMesh<2> movedMesh<2>(const State<2>&, Topology<2>, const std::vector<int>&);
 
 }  // namespace pfem

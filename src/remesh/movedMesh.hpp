@@ -14,14 +14,16 @@ struct MovedMesh {
     std::vector<int> wall;           // as Nodes::wall
     std::vector<double> dropVolume;  // as Nodes::dropVolume
     std::vector<double> lostVolume;  // as Nodes::lostVolume
+    std::vector<double> gone;        // what drops carry that are let go now; not in dropVolume
+    std::vector<int> joins;          // the node that a drop is going to be part of, -1: none (joinDrops.hpp); empty: nobody
     std::vector<Simplex<Dim>> fluid;
     std::vector<Simplex<Dim>> solid;
     Topology<Dim> topology;
     double volume = 0;  // of all fluid cells
 };
 
-/// `topology`: of the state's mesh.
+/// `topology`: of the state's mesh; `gone`: drops that are let go.
 template <int Dim>
-MovedMesh<Dim> movedMesh(const State<Dim>& state, Topology<Dim> topology);
+MovedMesh<Dim> movedMesh(const State<Dim>& state, Topology<Dim> topology, const std::vector<int>& gone = {});
 
 }  // namespace pfem

@@ -11,6 +11,7 @@
 #include "remesh/appeared.hpp"
 #include "remesh/connectivity.hpp"
 #include "remesh/heirs.hpp"
+#include "remesh/joinDrops.hpp"
 #include "remesh/lostVolume.hpp"
 #include "remesh/nodeControl.hpp"
 
@@ -153,6 +154,13 @@ std::vector<int> activeNodes(const State<2>& state, const std::vector<PatchKind>
     return list;
 }
 
+/// Drops that go take their volume with them.
+void bookGone(const MovedMesh<2>& moved, const std::vector<int>& gone, State<2>& state) {
+    if (gone.empty()) return;
+    state.ledger["gone"] -= std::accumulate(moved.gone.begin(), moved.gone.end(), 0.0);
+    if (!state.appeared.empty()) state.appeared.try_emplace("gone", moved.x.size(), 0.0);
+}
+
 /// Nodes without triangles have no pressure.
 void clearDryPressure(State<2>& state) {
     const auto wet = nodesIn<2>(state.mesh.fluid.nodes, state.nodes.size());
@@ -172,10 +180,15 @@ bool isDistorted(double distortion, const Points<2>& x, const std::vector<Simple
 
 template <int Dim>
 RemeshReport<Dim> remesh(const RemeshingControls& controls, const std::vector<PatchKind>& kinds, Topology<Dim> topology,
-                         double dt, Triangulator& triangulator, State<Dim>& state) {
-    const MovedMesh<Dim> moved = movedMesh<Dim>(state, std::move(topology));
-    const double drops = dropVolume<Dim>(state);
-    const auto plan = planNodes<Dim>(controls, moved, state.nodes.h, keptNodes<Dim>(state.mesh, state.nodes.size()));
+                         double dt, Triangulator& triangulator, State<Dim>& state, const std::vector<int>& gone) {
+    MovedMesh<Dim> moved = movedMesh<Dim>(state, std::move(topology), gone);
+    joinDrops<Dim>(controls, moved, state);
+    const double drops = std::accumulate(moved.dropVolume.begin(), moved.dropVolume.end(), 0.0);
+    bookGone(moved, gone, state);
+    auto plan = planNodes<Dim>(controls, moved, state.nodes.h, keptNodes<Dim>(state.mesh, state.nodes.size()));
+    for (const int drop : gone) plan.removed[drop] = 1;
+    for (std::size_t i = 0; i < moved.joins.size(); ++i)
+        if (moved.joins[i] >= 0) plan.removed[i] = 1;
     const int material = state.mesh.fluid.material.empty() ? 0 : state.mesh.fluid.material[0];
     const auto newIndex = carryOut<Dim>(plan, moved, state);
 
@@ -217,6 +230,6 @@ RemeshReport<Dim> remesh(const RemeshingControls& controls, const std::vector<Pa
 }
 
 template RemeshReport<2> remesh<2>(const RemeshingControls&, const std::vector<PatchKind>&, Topology<2>, double, Triangulator&,
-                                   State<2>&);
+                                   State<2>&, const std::vector<int>&);
 
 }  // namespace pfem

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "base/parallel.hpp"
 #include "material/viscosity.hpp"
@@ -43,6 +44,25 @@ void land(const Line& line, int w, double s, const Topology<2>& topology, Nodes<
     nodes.v[i] = alongWith(nodes.v[i], line.between(s, nodes.v, face));
     nodes.a[i] = alongWith(nodes.a[i], line.between(s, nodes.a, face));
     nodes.wall[i] = w;
+}
+
+/// Where a node lands on a wall, how far from its start and after which part of its way.
+struct Landing {
+    double part = std::numeric_limits<double>::max();  // it does not
+    double place = 0;
+    int wall = -1;
+};
+
+/// The landing of a node on its way from xOld to x on a wall, `line` now and before: it has crossed the wall or is within distance h of it. What is part
+/// of the fluid is put on the wall where it is; a drop, whose way may be many h long, where it has crossed it.
+Landing landingOn(const std::array<Line, 2>& line, const Vec<2>& xOld, const Vec<2>& x, double h, double distance, bool drop) {
+    const double after = line[0].distance(x), before = line[1].distance(xOld);
+    if (after > distance * h || before < -1e-9 * h || after >= before) return {};  // far, was behind, or leaves
+    Landing landing;
+    landing.part = drop && after < 0 ? std::max(0.0, before / (before - after)) : 1;
+    landing.place = line[0].along(x);
+    if (landing.part < 1) landing.place = line[1].along(xOld) + landing.part * (landing.place - line[1].along(xOld));
+    return landing.place >= 0 && landing.place <= line[0].length ? landing : Landing{};
 }
 
 /// Feet of other walls, which nothing that slides on the same face can pass.
@@ -99,21 +119,25 @@ void landOnWalls<2>(const RemeshingControls& controls, const Topology<2>& topolo
         else
             land(line, w, s, topology, nodes, i);  // also removes the round-off
     }
-    std::vector<std::pair<int, std::array<Line, 2>>> lines;  // now and before
+    std::vector<std::pair<int, std::array<Line, 2>>> walls;  // now and before
     for (int w = 0; w < static_cast<int>(topology.walls.size()); ++w)
         if (topology.walls[w].patch >= 0)
-            lines.push_back({w, {Line(nodes.x, topology.walls[w].nodes), Line(xOld, topology.walls[w].nodes)}});
+            walls.push_back({w, {Line(nodes.x, topology.walls[w].nodes), Line(xOld, topology.walls[w].nodes)}});
     forEach(nodes.size(), [&](int i) {  // walls have their corners, which do not land
-        for (const auto& [w, line] : lines) {
-            if (topology.held(i) || topology.onWall[i] || nodes.wall[i] >= 0) return;
-            const double d = line[0].distance(nodes.x[i]);
-            if (d > controls.landingDistance * nodes.h[i]) continue;
-            const double dOld = line[1].distance(xOld[i]);
-            if (dOld < -1e-9 * nodes.h[i] || d >= dOld) continue;  // was behind, or leaves
-            const double s = line[0].along(nodes.x[i]);
-            if (s >= 0 && s <= line[0].length)
-                land(line[0], w, feet.stop(topology, w, xOld, nodes, i, s), topology, nodes, i);
+        if (topology.held(i) || topology.onWall[i] || nodes.wall[i] >= 0) return;
+        const bool drop = topology.isolated(i);
+        Landing first;
+        const std::array<Line, 2>* line = nullptr;
+        for (const auto& [w, lines] : walls) {
+            const Landing landing = landingOn(lines, xOld[i], nodes.x[i], nodes.h[i], controls.landingDistance, drop);
+            if (landing.part >= first.part) continue;
+            first = landing;
+            first.wall = w;
+            line = &lines;
         }
+        if (first.wall < 0) return;
+        if (!drop) first.place = feet.stop(topology, first.wall, xOld, nodes, i, first.place);
+        land((*line)[0], first.wall, first.place, topology, nodes, i);
     });
 }
 

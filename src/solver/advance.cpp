@@ -8,6 +8,7 @@
 #include "continuity/residual.hpp"
 #include "mesh/standing.hpp"
 #include "remesh/giveWay.hpp"
+#include "remesh/letGo.hpp"
 #include "remesh/lostVolume.hpp"
 #include "remesh/motionAccount.hpp"
 #include "remesh/penetration.hpp"
@@ -32,7 +33,7 @@ double volumeCorrection(const State<Dim>& state, double time, double dt) {
     const double volume = totalVolume<Dim>(state);
     double change = 0;
     for (const auto& [cause, amount] : state.ledger)
-        if (cause != "compression") change += amount;
+        if (isGainOrLoss(cause)) change += amount;
     return volume > 0 ? -change / (volume * std::max(time, dt)) : 0;
 }
 
@@ -90,6 +91,14 @@ double surfaceShare(const Problem<Dim>& problem, double dt, const Nodes<Dim>& no
     return std::min(1.0, 10 * h / (problem.gravity.norm() * dt * dt));
 }
 
+/// Drops that are let go after the step.
+template <int Dim>
+std::vector<int> leavers(const Problem<Dim>& problem, const RemeshingControls& controls, const Topology<Dim>& topology,
+                         const State<Dim>& state) {
+    if (!controls.letGo || problem.gravityOverTime) return {};
+    return goneForGood<Dim>(topology, problem.gravity, problem.conditions.anyMotion(), state);
+}
+
 /// The densest fluid of the case.
 template <int Dim>
 ViscousFluid heaviestFluid(const Problem<Dim>& problem) {
@@ -131,7 +140,7 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
     account.bookSolver(returned, compressed, state);
     const double stepped = now();
     report.seconds[0] += stepped - start;
-    const double energy = fluidEnergy<Dim>(problem, state).total();
+    const double energy = fluidEnergy<Dim>(problem, state).total(), allowed = allowedSpeed<Dim>(topology, state.nodes);
 
     try {
         if (problem.conditions.anyMotion()) standOnWalls(state.mesh, wallPatches(kinds), state.nodes);
@@ -152,7 +161,7 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
                                               wallsOld == state.nodes.wall
                                                   ? topology
                                                   : withWalls<Dim>(state.mesh, kinds, state.nodes.wall, topology),
-                                              report.dt, triangulator, state);
+                                              report.dt, triangulator, state, leavers<Dim>(problem, controls.remeshing, topology, state));
             const double met = closingRate<Dim>(state.nodes, remeshed.contacts, controls.remeshing.contactHeight);
             strike<Dim>(problem, remeshed.contacts, state);
             state.approach = std::max(met, closingRate<Dim>(state.nodes, remeshed.gaps, 0));
@@ -164,6 +173,7 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
     }
     try {
         checkInvariants<Dim>(controls.convergence, topology, last, state);
+        checkSpeedGain<Dim>(allowed, state.nodes);
     } catch (const StepFailure& failure) {
         throw FailedStep<Dim>(failure, std::move(state));
     }

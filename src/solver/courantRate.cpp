@@ -2,30 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/parallel.hpp"
-#include "mesh/distance.hpp"
 #include "mesh/simplex.hpp"
+#include "mesh/topology.hpp"
+#include "solver/flight.hpp"
 
 namespace pfem {
-
-namespace {
-
-/// How far a drop is from all that it could hit: nodes that are no drops, and faces of walls.
-template <int Dim>
-double distanceToHit(const State<Dim>& state, int drop) {
-    const auto& nodes = state.nodes;
-    double squared = std::numeric_limits<double>::max();
-    for (int i = 0; i < nodes.size(); ++i)
-        if (!(nodes.dropVolume[i] > 0)) squared = std::min(squared, (nodes.x[i] - nodes.x[drop]).squaredNorm());
-    double distance = std::sqrt(squared);
-    for (const auto& patch : state.mesh.patches)
-        for (const auto& face : patch.faces) distance = std::min(distance, distanceToFace<Dim>(nodes.x, face, nodes.x[drop]));
-    return distance;
-}
-
-}  // namespace
 
 template <int Dim>
 double closingRate(const Nodes<Dim>& nodes, const std::vector<Simplex<Dim>>& simplices, double leastHeight) {
@@ -47,14 +30,19 @@ template <int Dim>
 CourantRate courantRate(const State<Dim>& state) {
     const auto& nodes = state.nodes;
     CourantRate rate;
-    for (const bool drops : {false, true})
-        for (int i = 0; i < nodes.size(); ++i) {
-            if ((nodes.dropVolume[i] > 0) != drops) continue;
-            double own = nodes.v[i].norm() / nodes.h[i];
-            if (drops && own > rate.largest) own = nodes.v[i].norm() / (nodes.h[i] + distanceToHit<Dim>(state, i));
-            rate.largest = std::max(rate.largest, own);
-            rate.mean += own / nodes.size();
-        }
+    const auto drops = looseNodes<Dim>(state.mesh, nodes.size());
+    int counted = 0;
+    for (int i = 0; i < nodes.size(); ++i) {
+        if (drops[i]) continue;
+        const double own = nodes.v[i].norm() / nodes.h[i];
+        rate.largest = std::max(rate.largest, own);
+        rate.mean += own;
+        ++counted;
+    }
+    if (counted > 0) rate.mean /= counted;
+    for (int i = 0; i < nodes.size(); ++i)  // slower ones cannot be the first
+        if (drops[i] && nodes.v[i].norm() > rate.largest * nodes.h[i])
+            rate.largest = std::max(rate.largest, strikingRate<Dim>(state, drops, i));
     double squared = 0, compression = 0;
     const int nCells = state.mesh.fluid.size();
 #pragma omp parallel for schedule(static) reduction(max : squared, compression) if (nCells > shortLoop)

@@ -126,7 +126,7 @@ void checkInvariants<2>(const ConvergenceControls& controls, const Topology<2>& 
     const Points<2> xOld = oldPositions<2>(last.nodes, next.nodes);
     checkWalls(topology, xOld, next);
     checkSolids(xOld, next);
-    const double before = totalVolume<2>(last), after = totalVolume<2>(next);
+    const double before = totalVolume<2>(last), after = totalVolume<2>(next) - goneVolume<2>(next) + goneVolume<2>(last);
     if (std::abs(after - before) > controls.maxVolumeChange * before)
         throw StepFailure(fmt::format("the fluid's volume changed from {:.6g} to {:.6g} in one step", before, after));
 }
@@ -139,6 +139,28 @@ void checkSpeed(const ConvergenceControls& controls, const Nodes<Dim>& nodes) {
                                             nodes.v[i].norm(), controls.deltaTMin));
 }
 
-template void checkSpeed<2>(const ConvergenceControls&, const Nodes<2>&);
+template <int Dim>
+double allowedSpeed(const Topology<Dim>& topology, const Nodes<Dim>& nodes) {
+    double fastest = 0, pushing = 0;
+    for (int i = 0; i < nodes.size(); ++i) {
+        fastest = std::max(fastest, nodes.v[i].squaredNorm());
+        if (topology.held(i)) pushing = std::max(pushing, nodes.v[i].squaredNorm());
+    }
+    return std::sqrt(fastest) + 2 * std::sqrt(pushing);
+}
+
+template <int Dim>
+void checkSpeedGain(double allowed, const Nodes<Dim>& nodes) {
+    const int found = firstOf(nodes.size(), [&](int i) { return nodes.v[i].norm() > allowed * (1 + 1e-9); });
+    if (found < nodes.size())
+        fail<Dim>(nodes, found, fmt::format("has got {:.6g} m/s from a contact, a landing or remeshing; the fastest before had {:.6g} m/s",
+                                            nodes.v[found].norm(), allowed));
+}
+
+#define PFEM_INSTANTIATE(D)                                                     \
+    template void checkSpeed<D>(const ConvergenceControls&, const Nodes<D>&);   \
+    template double allowedSpeed<D>(const Topology<D>&, const Nodes<D>&);       \
+    template void checkSpeedGain<D>(double, const Nodes<D>&);
+PFEM_INSTANTIATE(2)
 
 }  // namespace pfem

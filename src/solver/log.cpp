@@ -36,13 +36,14 @@ std::string stepLines(const AdvanceReport& report, const State<Dim>& state, doub
                         state.mesh.fluid.size(), report.mesh.removed, report.mesh.inserted, report.returned);
     double change = 0, correction = 0;
     for (const auto& [cause, amount] : state.ledger) {
-        if (cause != "compression") change += amount;
+        if (isGainOrLoss(cause)) change += amount;
         if (cause == "correction") correction = amount;
     }
-    const double volume = totalVolume<Dim>(state);
+    const double volume = totalVolume<Dim>(state), gone = goneVolume<Dim>(state);
     if (firstVolume > 0)  // a case may have solids only
-        text += fmt::format("Fluid volume = {:.6g}, change = {:.3g} %, raw = {:.3g} %\n", volume,
-                            100 * change / firstVolume, 100 * (change - correction) / firstVolume);
+        text += fmt::format("Fluid volume = {:.6g}, change = {:.3g} %, raw = {:.3g} %{}\n", volume, 100 * change / firstVolume,
+                            100 * (change - correction) / firstVolume,
+                            gone != 0 ? fmt::format(", gone = {:.3g} %", 100 * gone / firstVolume) : "");
     return text;
 }
 

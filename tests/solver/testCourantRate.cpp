@@ -44,30 +44,45 @@ TEST(CourantRate, ofShear) {
     EXPECT_NEAR(rate.compression, 0, 1e-9);
 }
 
-// A drop in free flight may move by its distance to what it could hit: water, solids and walls.
+/// The water with a drop of 70 m/s.
+State<2> withDrop(const TestCase& c, const Vec<2>& x, const Vec<2>& v, double gravity = 0) {
+    State<2> state = c.state;
+    state.nodes.append(c.state.nodes, 0);
+    state.nodes.id.back() = state.nextId++;
+    state.nodes.x.back() = x;
+    state.nodes.v.back() = v;
+    state.nodes.a.back() = {0, -gravity};
+    state.nodes.dropVolume.back() = 1e-4;
+    return state;
+}
+
+// A drop in free flight counts by what it is going to strike: its way until it is within h of a node, and h there.
 TEST(CourantRate, ofDrops) {
     TestCase c = waterWith(Tensor<2>::Zero(), {0, 0});
-    const auto drop = [&](const Vec<2>& x) {
-        State<2> state = c.state;
-        state.nodes.append(c.state.nodes, 0);
-        state.nodes.id.back() = state.nextId++;
-        state.nodes.x.back() = x;
-        state.nodes.v.back() = {0, -70};
-        state.nodes.dropVolume.back() = 1e-4;
-        return courantRate<2>(state).largest;
-    };
-    EXPECT_NEAR(drop({0.5, 1.01}), 70 / (h + 0.01), 1e-9);
-    EXPECT_NEAR(drop({0.5, 1.3}), 70 / (h + 0.3), 1e-9);
-    EXPECT_NEAR(drop({1.3, -0.4}), 70 / (h + 0.5), 1e-9);
-    const int corner = c.state.nodes.size();  // a wall farther down the road than its corners
+    const auto drop = [&](const Vec<2>& x, const Vec<2>& v) { return courantRate<2>(withDrop(c, x, v)).largest; };
+    EXPECT_NEAR(drop({0.5, 1.01}, {0, -70}), 70 / h, 1e-9);
+    EXPECT_NEAR(drop({0.5, 1.3}, {0, -70}), 70 / (h + 0.2), 1e-9);
+    EXPECT_EQ(drop({0.5, 1.3}, {0, 70}), 0);      // leaves
+    EXPECT_EQ(drop({1.3, -0.4}, {0, -70}), 0);
+    EXPECT_EQ(drop({-3, 1.2}, {70, 0}), 0);       // passes over the water
+    EXPECT_NEAR(drop({-3, 1.05}, {70, 0}), 70 / (h + 3 - std::sqrt(h * h - 0.05 * 0.05)), 1e-9);
+    const int corner = c.state.nodes.size();  // it lands on walls wherever it crosses them
     for (const Vec<2>& x : {Vec<2>(-9, 1.5), Vec<2>(10, 1.5)}) {
         c.state.nodes.append(c.state.nodes, 0);
         c.state.nodes.id.back() = c.state.nextId++;
         c.state.nodes.x.back() = x;
     }
     c.state.mesh.patches.push_back({"roof", {{corner + 1, corner}}});
-    EXPECT_NEAR(drop({0.5, 1.4}), 70 / (h + 0.1), 1e-9);
-    EXPECT_NEAR(drop({0.5, 1.3}), 70 / (h + 0.2), 1e-9);
+    EXPECT_EQ(drop({0.5, 1.4}, {0, 70}), 0);
+    // a parabola is straight for sqrt(h/g)
+    EXPECT_NEAR(courantRate<2>(withDrop(c, {0.5, 1.4}, {0, 70}, 9.81)).largest, 1 / (h / 70 + std::sqrt(h / 9.81)), 1e-9);
+}
+
+// The water moves, too: towards the drop, or with it.
+TEST(CourantRate, ofDropsOverMovingWater) {
+    EXPECT_NEAR(courantRate<2>(withDrop(waterWith(Tensor<2>::Zero(), {0, 5}), {0.5, 1.3}, {0, -70})).largest, 75 / (h + 0.2), 1e-9);
+    EXPECT_NEAR(courantRate<2>(withDrop(waterWith(Tensor<2>::Zero(), {0, -69}), {0.5, 1.3}, {0, -70})).largest, 69 / h, 1e-9);
+    EXPECT_NEAR(courantRate<2>(withDrop(waterWith(Tensor<2>::Zero(), {0, -60}), {0.5, 1.01}, {0, -70})).mean, 60 / h, 1e-9);
 }
 
 TEST(CourantRate, slowDropsLimitNothing) {

@@ -111,6 +111,21 @@ TEST_F(Invariants, Speed) {
     EXPECT_THROW(checkSpeed<2>(c_.controls.convergence, next_.nodes), StepFailure);
 }
 
+// Contacts, landing and remeshing make nobody faster than the fastest before, but for what moving walls and solids push.
+TEST_F(Invariants, SpeedGain) {
+    auto& nodes = next_.nodes;
+    const auto topology = makeTopology<2>(next_.mesh, c_.kinds(), nodes.wall);
+    for (auto& v : nodes.v) v = Vec<2>::Zero();
+    nodes.v[fluidNode()] = {3, 4};
+    const double allowed = allowedSpeed<2>(topology, nodes);
+    EXPECT_NEAR(allowed, 5, 1e-12);
+    checkSpeedGain<2>(allowed, nodes);
+    nodes.v[fluidNode()] = {3, 4.0001};
+    EXPECT_THROW(checkSpeedGain<2>(allowed, nodes), StepFailure);
+    nodes.v[next_.mesh.solid.nodes[0][0]] = {0.5, 0};
+    EXPECT_NEAR(allowedSpeed<2>(topology, nodes), std::hypot(3, 4.0001) + 1, 1e-12);
+}
+
 // What is written for inspection is finite, keeps what was there, and flags the culprit.
 TEST_F(Invariants, Inspection) {
     const int i = fluidNode();

@@ -1,0 +1,65 @@
+#include "remesh/joinDrops.hpp"
+
+#include <algorithm>
+
+#include "mesh/simplex.hpp"
+
+namespace pfem {
+
+namespace {
+
+/// Loose nodes by their first coordinate.
+template <int Dim>
+std::vector<std::pair<double, int>> sortedDrops(const State<Dim>& state) {
+    const auto loose = looseNodes<Dim>(state.mesh, state.nodes.size());
+    std::vector<std::pair<double, int>> drops;
+    for (int i = 0; i < state.nodes.size(); ++i)
+        if (loose[i]) drops.emplace_back(state.nodes.x[i][0], i);
+    std::sort(drops.begin(), drops.end());
+    return drops;
+}
+
+template <int Dim>
+double patchVolume(const MovedMesh<Dim>& moved, int i) {
+    double volume = 0;
+    const auto& around = moved.topology.fluid;
+    for (int s = around.start[i]; s < around.start[i + 1]; ++s)
+        volume += simplexMeasure<Dim>(moved.x, moved.fluid[around.cell[s]]) / (Dim + 1);
+    return volume;
+}
+
+/// An inelastic impact: both go on with the common velocity.
+template <int Dim>
+void giveMomentum(const MovedMesh<Dim>& moved, int drop, int node, Nodes<Dim>& nodes) {
+    const double ofNode = patchVolume<Dim>(moved, node), ofDrop = moved.dropVolume[drop];
+    if (moved.topology.held(node) || !(ofNode > 0 && ofDrop > 0)) return;
+    nodes.v[node] += ofDrop / (ofNode + ofDrop) * (nodes.v[drop] - nodes.v[node]);
+}
+
+}  // namespace
+
+template <int Dim>
+void joinDrops(const RemeshingControls& controls, MovedMesh<Dim>& moved, State<Dim>& state) {
+    Nodes<Dim>& nodes = state.nodes;
+    moved.joins.assign(nodes.size(), -1);
+    const auto drops = sortedDrops<Dim>(state);
+    const double limit = std::min(controls.removeDistanceFilm, controls.removeDistanceSurface);
+    for (int i = 0; !drops.empty() && i < nodes.size(); ++i) {
+        if (!moved.topology.wet(i)) continue;
+        const double x = nodes.x[i][0], widest = limit * nodes.h[i];
+        for (auto it = std::lower_bound(drops.begin(), drops.end(), std::pair(x - widest, -1));
+             it != drops.end() && it->first <= x + widest; ++it) {
+            const int drop = it->second;
+            const Vec<Dim> apart = nodes.x[drop] - nodes.x[i];
+            if (moved.joins[drop] >= 0 || apart.norm() >= widest ||
+                apart.dot(nodes.v[drop] - nodes.v[i]) >= 0)
+                continue;
+            moved.joins[drop] = i;
+            giveMomentum<Dim>(moved, drop, i, nodes);
+        }
+    }
+}
+
+template void joinDrops<2>(const RemeshingControls&, MovedMesh<2>&, State<2>&);
+
+}  // namespace pfem
