@@ -30,6 +30,8 @@ public:
     virtual T integral(double from, double to) const;
     /// A z component other than zero that the function has, of a formula at one of some times; 0: there is none.
     virtual double outOfPlane() const = 0;
+    /// Given as one value: it never changes. False says nothing.
+    virtual bool isConstant() const { return false; }
 };
 
 template <class T>

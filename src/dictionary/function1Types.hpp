@@ -19,6 +19,7 @@ public:
     T derivative(double) const override { return 0 * value_; }
     T integral(double from, double to) const override { return (to - from) * value_; }
     double outOfPlane() const override { return zOf(value_); }
+    bool isConstant() const override { return true; }
 
 private:
     T value_;

@@ -95,7 +95,8 @@ double surfaceShare(const Problem<Dim>& problem, double dt, const Nodes<Dim>& no
 template <int Dim>
 std::vector<int> leavers(const Problem<Dim>& problem, const RemeshingControls& controls, const Topology<Dim>& topology,
                          const State<Dim>& state) {
-    if (!controls.letGo || problem.gravityOverTime) return {};
+    const bool steady = !problem.gravityOverTime || problem.gravityOverTime->isConstant();
+    if (!controls.letGo || !steady) return {};
     return goneForGood<Dim>(topology, problem.gravity, problem.conditions.anyMotion(), state);
 }
 

@@ -184,4 +184,16 @@ TEST(Drops, whatGoesIsInTheLedger) {
     }
 }
 
+// A gravity that may turn round may bring it back.
+TEST(Drops, comeBackWithGravity) {
+    for (const std::string value : {"(0 -9.81 0)", "table ((0 (0 -9.81 0)) (1 (0 9.81 0)))"}) {
+        TestCase c = tank();
+        c.problem.gravityOverTime =
+            readFunction1<Eigen::Vector3d>(Dictionary::parse("value " + value + ";", "g"), "value");
+        const Id id = c.state.nodes.id[addDrop(c.state, {0.5, -0.3}, {0, -1})];
+        c.step(1e-3);
+        EXPECT_EQ(nodeOf(c.state.nodes, id) < 0, value[0] == '(') << value;
+    }
+}
+
 }  // namespace
