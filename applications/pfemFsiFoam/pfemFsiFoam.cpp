@@ -17,6 +17,7 @@
 #include "solver/log.hpp"
 #include "solver/recorder.hpp"
 #include "solver/setup.hpp"
+#include "solver/waveRate.hpp"
 
 using namespace pfem;
 
@@ -70,10 +71,12 @@ int run(const Options& options) {
     std::cout << "Starting time loop\n\n" << std::flush;
     RunSummary summary;
     Triangulator triangulator;
+    const double elasticRate = elasticWaveRate(problem, state);
     const double clockStart = clockNow(), timeStart = state.time.value;
     while (clock.running(state.time)) {
         const CourantRate rate = courantRate(state);
-        const double dt = clock.deltaT(state.time, {.courant = rate.largest, .relative = rate.relative, .compression = rate.compression});
+        const double dt = clock.deltaT(state.time, {.courant = rate.largest, .relative = rate.relative, .compression = rate.compression,
+                                                    .gravityWave = gravityWaveRate(problem, state), .elasticWave = elasticRate});
         const AdvanceReport report = recorder.advance(controls, triangulator, state, dt);
         state.time = clock.advance(state.time, report.dt);
         summary.add(report, state.mesh.fluid.size() + state.mesh.solid.size());

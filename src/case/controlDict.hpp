@@ -30,6 +30,8 @@ struct ControlDict {
     double maxCo = 0.4;
     double maxRelativeCo = 0.2;
     double maxCompression = 0.7;
+    double maxWaveCo = 0.5;
+    double maxSolidCo = 1e300;
     double maxGrowth = 1.2;
     double maxDeltaT = 1e300;
 
@@ -59,12 +61,17 @@ struct ControlDict {
         v("timePrecision", timePrecision, "digits", "digits of time names; raised when two would be equal",
           between(1, 17));
         v("runTimeModifiable", runTimeModifiable, "-", "read this file again when it changes during the run");
-        v("adjustTimeStep", adjustTimeStep, "-", "choose the time step by maxCo, maxRelativeCo and maxCompression");
+        v("adjustTimeStep", adjustTimeStep, "-", "choose the time step by maxCo, maxRelativeCo, maxCompression, maxWaveCo and maxSolidCo");
         v("maxCo", maxCo, "-", "largest |v| deltaT/h of a node", positive);
         v("maxRelativeCo", maxRelativeCo, "-", "largest |v_I - v_J| deltaT/h of two neighbours in the fluid", positive);
         v("maxCompression", maxCompression, "-",
           "largest -div v deltaT of a triangle, the part of its area that it would lose by its velocities: of the fluid, and of "
           "the air between surfaces that are about to meet", positive);
+        v("maxWaveCo", maxWaveCo, "-",
+          "largest deltaT sqrt(g/h): gravity waves as short as a triangle are resolved by 2 pi/(1.8 maxWaveCo) steps a period; "
+          "the only limit of water at rest", positive);
+        v("maxSolidCo", maxSolidCo, "-",
+          "largest c deltaT/h of elastic waves in solids, c = sqrt((lambda + 2 mu)/rho); about 1 to follow impacts on them", positive);
         v("maxGrowth", maxGrowth, "-", "adjustTimeStep: largest ratio of a step to the one before", atLeast(1.0));
         v("maxDeltaT", maxDeltaT, "s", "adjustTimeStep: largest time step", positive);
     }

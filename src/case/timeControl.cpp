@@ -101,6 +101,8 @@ double TimeControl::longest(const TimeInfo& time, const StepRates& rates) const 
     limit(controls_.maxCo, rates.courant);
     limit(controls_.maxRelativeCo, rates.relative);
     limit(controls_.maxCompression, rates.compression);
+    limit(controls_.maxWaveCo, rates.gravityWave);
+    limit(controls_.maxSolidCo, rates.elasticWave);
     return dt;
 }
 

@@ -19,6 +19,8 @@ struct StepRates {
     double courant = 0;      // largest |v|/h of the mesh: maxCo
     double relative = 0;     // that of neighbours to each other: maxRelativeCo
     double compression = 0;  // largest -div v: maxCompression
+    double gravityWave = 0;  // sqrt(g/h): maxWaveCo
+    double elasticWave = 0;  // largest c/h of the solids: maxSolidCo
 };
 
 /// The clock has no time of its own: it answers for the TimeInfo it is given, so that a run restarted from

@@ -28,7 +28,7 @@ class ContinuitySystem {
 public:
     ContinuitySystem(const Problem<Dim>& problem, const ContinuityControls& controls, const Cells<Dim>& cells,
                      const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,
-                     const Patches<Dim>& patches, const std::vector<double>& mu, const std::vector<double>& tau, const Points<Dim>& x,
+                     const Patches<Dim>& patches, const std::vector<double>& mu, const std::vector<double>& tau, const Nodes<Dim>& nodes,
                      const SolidDofs<Dim>& solidDofs, const SymmetricMatrix& solidMatrix, const Newmark& newmark);
 
     /// dp of all nodes for the right-hand side -R_c; zero outside the fluid.

@@ -93,7 +93,7 @@ std::vector<double> continuityResidual(const Problem<Dim>& problem, const Contin
     const bool inertia = controls.stabilisation != "bodyForce";
     const bool projection = controls.stabilisation == "projection";
     const double tauFaces = inertia ? 0 : meanOverCells<Dim>(patches, tau);
-    const auto projected = projectedCells<Dim>(controls, cells, topology);
+    const auto projected = projectedCells<Dim>(controls, problem, cells, topology, old);
     auto terms = cellTerms<Dim>(problem, cells, patches, tau, tauFaces, trial, middle, projected, divTarget);
     const NodeToCells& around = topology.fluid;
     if (projection) subtractProjection<Dim>(patches, around, tau, projected, terms.flux);

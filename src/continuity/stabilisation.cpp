@@ -29,29 +29,45 @@ double surfaceStabilisation(double tau, double mu, double cellMeasure, double fa
     return 1 / std::max(1 / tau, 4 * (Dim + 1) * mu / (height * height));
 }
 
+namespace {
+
+/// Slow beside the waves of a triangle's length: |v|^2 < g h/10 for all of its nodes.
 template <int Dim>
-std::vector<unsigned char> projectedCells(const ContinuityControls& controls, const Cells<Dim>& cells, const Topology<Dim>& topology) {
+bool isCalm(const Problem<Dim>& problem, const Nodes<Dim>& nodes, const Simplex<Dim>& cell) {
+    const double g = problem.gravity.norm();
+    return std::all_of(cell.begin(), cell.end(), [&](int i) { return nodes.v[i].squaredNorm() < 0.1 * g * nodes.h[i]; });
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<unsigned char> projectedCells(const ContinuityControls& controls, const Problem<Dim>& problem, const Cells<Dim>& cells,
+                                          const Topology<Dim>& topology, const Nodes<Dim>& nodes) {
     std::vector<unsigned char> projected(cells.size(), 0);
     if (controls.stabilisation != "projection") return projected;
-    std::vector<unsigned char> inside(topology.nNodes()), besideInside(topology.nNodes());  // of the fluid; on a wall beside such a one
-    forEach(topology.nNodes(), [&](int i) { inside[i] = !topology.freeSurface[i] && !topology.onWall[i] && !topology.held(i); });
+    const auto bounded = [&](int i) { return topology.onWall[i] || topology.held(i); };
+    std::vector<unsigned char> inside(topology.nNodes()), besideInside(topology.nNodes());  // of the fluid; on a wall or solid beside such a one
+    forEach(topology.nNodes(), [&](int i) { inside[i] = !topology.freeSurface[i] && !bounded(i); });
     forEach(topology.nNodes(), [&](int i) {
-        if (!topology.onWall[i]) return;
+        if (!bounded(i)) return;
         for (int s = topology.ring.start[i]; s < topology.ring.start[i + 1]; ++s) besideInside[i] |= inside[topology.ring.node[s]];
     });
     forEach(cells.size(), [&](int e) {
-        bool contactLine = false, beside = false;
+        bool contactLine = false, beside = false, solid = false;
         for (int node : cells.nodes[e]) {
             projected[e] |= inside[node];
-            contactLine |= topology.freeSurface[node] && topology.onWall[node];
+            contactLine |= topology.freeSurface[node] && bounded(node);
             beside |= besideInside[node];
+            solid |= topology.onSolid[node];
         }
         projected[e] |= contactLine && beside;
+        if (solid && !(contactLine && beside && isCalm<Dim>(problem, nodes, cells.nodes[e]))) projected[e] = 0;
     });
     return projected;
 }
 
-template std::vector<unsigned char> projectedCells<2>(const ContinuityControls&, const Cells<2>&, const Topology<2>&);
+template std::vector<unsigned char> projectedCells<2>(const ContinuityControls&, const Problem<2>&, const Cells<2>&, const Topology<2>&,
+                                                      const Nodes<2>&);
 template double surfaceStabilisation<2>(double, double, double, double);
 template std::vector<double> stabilisation<2>(const Problem<2>&, const Cells<2>&, const Patches<2>&,
                                               const std::vector<double>&, const Points<2>&, double);

@@ -24,8 +24,11 @@ template <int Dim>
 double surfaceStabilisation(double tau, double mu, double cellMeasure, double faceMeasure);
 
 /// Per cell: does its stabilisation take the pressure's gradient less its projection (`projection`)? Not in films and tips, where no node lies
-/// inside and the projection is the gradient itself; but in the last cell at a contact line over a wall that has inner nodes beside it.
+/// inside and the projection is the gradient itself; but in the last cell at a contact line over a wall or solid that has inner nodes beside it.
+/// Not beside solids either, where impacts ask for the full residual (doc/decisions.md), but at a contact line that hardly moves.
+/// `nodes`: at the start of the step.
 template <int Dim>
-std::vector<unsigned char> projectedCells(const ContinuityControls& controls, const Cells<Dim>& cells, const Topology<Dim>& topology);
+std::vector<unsigned char> projectedCells(const ContinuityControls& controls, const Problem<Dim>& problem, const Cells<Dim>& cells,
+                                          const Topology<Dim>& topology, const Nodes<Dim>& nodes);
 
 }  // namespace pfem

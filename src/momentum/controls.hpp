@@ -30,7 +30,7 @@ struct TimeIntegrationControls {
     template <class Visitor>
     void entries(Visitor& v) {
         v("gamma", gamma, "-",
-          "Newmark's gamma of the acceleration: 0.5 trapezoidal (second order, no damping), 1 backward Euler",
+          "where in the step the forces act: 0.5 its middle (second order, no damping), 1 its end (backward Euler)",
           between(0.5, 1.0));
     }
 };
@@ -40,6 +40,7 @@ struct MomentumControls {
     double theta = 0;
     std::string bulkRule = "local";
     double viscousLimit = 0.01;
+    double waveDamping = 0.01;
     double linearTolerance = 1e-6;
     int maxLinearIterations = 500;
 
@@ -55,6 +56,10 @@ struct MomentumControls {
         v("viscousLimit", viscousLimit, "-",
           "ratio of viscous forces to inertia (2 mu dt/(rho h^2)) that is left out of the momentum MATRIX; light nodes, a thousandth of "
           "the mass, may have thirty times that and get the diagonal",
+          nonNegative);
+        v("waveDamping", waveDamping, "-",
+          "viscosity in units of rho h sqrt(g h) that acts on velocities of the fluid which alternate from node to node: damps waves of a few "
+          "triangles' length and no longer ones; 0 = none",
           nonNegative);
         v("linearTolerance", linearTolerance, "-", "relative residual of the conjugate gradients", positive);
         v("maxLinearIterations", maxLinearIterations, "-", "limit of the conjugate gradients", atLeast(1));

@@ -74,6 +74,26 @@ std::vector<double> tangentViscosity(const FlowViscosity<Dim>& viscosity) {
     return mu;
 }
 
+template <int Dim>
+Points<Dim> zigzagForce(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches, double damping,
+                        const std::vector<double>& h, const Points<Dim>& v) {
+    Points<Dim> force(patches.nNodes(), Vec<Dim>::Zero());
+    const double g = problem.gravity.norm();
+    if (damping == 0 || g == 0 || patches.nCells() == 0) return force;
+    auto L = elementGradient<Dim>(patches, v);
+    const auto nodal = withNodalPoints<Dim>(patches);
+    const auto mean = fromPoints<Dim>(nodal, toPoints<Dim>(nodal, L));
+    forEach(patches.nCells(), [&](int e) {
+        const double size = cellMean<Dim>(patches, h, e);
+        const double mu = damping * problem.fluid(cells.material[e]).rho * size * std::sqrt(g * size);
+        const Tensor<Dim> zigzag = L[e] - mean[e];
+        L[e] = mu * (zigzag + zigzag.transpose());
+    });
+    addInternalForce<Dim>(patches, L, force);
+    return force;
+}
+
+template Points<2> zigzagForce<2>(const Problem<2>&, const Cells<2>&, const Patches<2>&, double, const std::vector<double>&, const Points<2>&);
 template bool isNewtonian<2>(const Problem<2>&);
 template std::vector<double> tangentViscosity<2>(const FlowViscosity<2>&);
 template FlowViscosity<2> flowViscosity<2>(const Problem<2>&, const Cells<2>&, const Patches<2>&, const Points<2>&);

@@ -37,4 +37,12 @@ template <int Dim>
 std::vector<Tensor<Dim>> fluidTangentStress(const Patches<Dim>& patches, const FlowViscosity<Dim>& viscosity,
                                             const Points<Dim>& dv, const std::vector<double>& bulk);
 
+/// Force of a viscosity mu_z = damping rho h sqrt(g h) that acts on velocities which alternate from node to node, and on nothing else:
+///     s_e = mu_z (D + D^T),   D = L_e less the mean of L_I over its nodes.
+/// Zero for linear velocities; it only takes energy. A wave of length l loses by some damping sqrt(g/h) (h/l)^4: short ones die, long ones do not
+/// notice it.
+template <int Dim>
+Points<Dim> zigzagForce(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches, double damping,
+                        const std::vector<double>& h, const Points<Dim>& v);
+
 }  // namespace pfem

@@ -5,6 +5,9 @@
 
 namespace pfem {
 
+/// Part of h that nobody sees: what moves less far within a step is at rest.
+constexpr double unseenPart = 1e-8;
+
 /// v^{n+1} = v^n + dt a,   x^{n+1} = x^n + dt/2 (v^n + v^{n+1}),   a and all forces at t^n + gamma dt: x = (1-gamma) x^n + gamma x^{n+1}
 /// and v likewise. gamma 1/2: midpoint rule, 1: backward Euler.
 struct Newmark {
@@ -17,6 +20,12 @@ struct Newmark {
     template <int Dim>
     Vec<Dim> acceleration(const Vec<Dim>& vOld, const Vec<Dim>& v) const {
         return (v - vOld) / dt;
+    }
+
+    /// Of solids, whose forces are those of both ends: the acceleration at the end, for the eye and for reactions.
+    template <int Dim>
+    Vec<Dim> endAcceleration(const Vec<Dim>& vOld, const Vec<Dim>& v, const Vec<Dim>& aOld) const {
+        return (v - vOld) / (gamma * dt) - (1 - gamma) / gamma * aOld;
     }
 
     template <int Dim>

@@ -11,7 +11,7 @@ std::vector<KeywordTable> systemKeywords() {
          describeEntries<ControlDict>()},
         {solution, "", "The numbers of the algorithm; the file may be left out.",
          describeEntries<IntegrationControls>()},
-        {solution, "timeIntegration", "Newmark's time integration.",
+        {solution, "timeIntegration", "Time integration.",
          describeEntries<TimeIntegrationControls>()},
         {solution, "convergence", "The nonlinear iteration of a step, and what becomes of steps that fail.",
          describeEntries<ConvergenceControls>()},

@@ -7,6 +7,7 @@
 #include "base/parallel.hpp"
 #include "material/viscosity.hpp"
 #include "mesh/simplex.hpp"
+#include "momentum/newmark.hpp"
 #include "remesh/movedMesh.hpp"
 
 namespace pfem {
@@ -143,7 +144,7 @@ void landOnWalls<2>(const RemeshingControls& controls, const Topology<2>& topolo
 
 template <>
 void releaseFromWalls<2>(const RemeshingControls& controls, const Topology<2>& topology, const Vec<2>& gravity,
-                         const ViscousFluid& fluid, Nodes<2>& nodes) {
+                         const ViscousFluid& fluid, double dt, Nodes<2>& nodes) {
     for (int i = 0; i < nodes.size(); ++i) {
         if (nodes.wall[i] < 0 || topology.corner[i]) continue;
         const Face<2>& face = topology.walls[nodes.wall[i]].nodes;
@@ -151,7 +152,8 @@ void releaseFromWalls<2>(const RemeshingControls& controls, const Topology<2>& t
         const Vec<2> slip = nodes.v[i] - line.between(line.along(nodes.x[i]), nodes.v, face);
         const double rate = slip.norm() / nodes.h[i];
         const double scale =
-            fluid.rho * (gravity.norm() * nodes.h[i] + 0.5 * slip.squaredNorm()) + viscosity(fluid, rate) * rate;
+            fluid.rho * (gravity.norm() * nodes.h[i] + 0.5 * slip.squaredNorm() + unseenPart * std::pow(nodes.h[i] / dt, 2)) +
+            viscosity(fluid, rate) * rate;
         const bool pulledOff =  // the wall's acceleration is the normal part of a
             topology.isolated(i) && (gravity - nodes.a[i]).dot(line.inward) > 1e-9 * gravity.norm();
         if (!pulledOff && !(topology.freeSurface[i] && -nodes.p[i] > controls.wallTension * scale)) continue;

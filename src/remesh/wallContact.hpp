@@ -16,10 +16,10 @@ void landOnWalls(const RemeshingControls& controls, const Topology<Dim>& topolog
                  State<Dim>& state);
 
 /// A sliding node at the contact line with a suction above wallTension (rho (g h + v^2/2) + mu v/h), v relative
-/// to the wall, or an isolated one that gravity pulls off, is free again.
+/// to the wall, or an isolated one that gravity pulls off, is free again. A suction that moves nothing within the step of length dt is none.
 template <int Dim>
 void releaseFromWalls(const RemeshingControls& controls, const Topology<Dim>& topology, const Vec<Dim>& gravity,
-                      const ViscousFluid& fluid, Nodes<Dim>& nodes);
+                      const ViscousFluid& fluid, double dt, Nodes<Dim>& nodes);
 
 /// Does the wall go on at an end of face `w` (its second node: `atEnd`) with the fluid's angle below 180 degrees?
 bool isConcaveEnd(const Topology<2>& topology, const Points<2>& x, int w, bool atEnd);

@@ -147,7 +147,8 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
         if (problem.conditions.anyMotion()) standOnWalls(state.mesh, wallPatches(kinds), state.nodes);
         giveWay<Dim>(controls.remeshing, topology, returned, surfaceShare<Dim>(problem, report.dt, state.nodes), state);
         account.book("surface", state);
-        releaseFromWalls<Dim>(controls.remeshing, topology, problem.gravity, heaviestFluid<Dim>(problem), state.nodes);
+        releaseFromWalls<Dim>(controls.remeshing, topology, problem.gravity, heaviestFluid<Dim>(problem), report.dt,
+                              state.nodes);
         account.book("released", state);
         landOnWalls<Dim>(controls.remeshing, topology, xOld, state);
         account.book("landed", state);

@@ -42,7 +42,9 @@ void moveNodes(const Newmark& newmark, const NodeConstraints<Dim>& constraints, 
             trial.p[i] = 0;
         }
         trial.x[i] = newmark.position<Dim>(old.x[i], old.v[i], trial.v[i]);
-        trial.a[i] = topology.isolated(i) ? fall : newmark.acceleration<Dim>(old.v[i], trial.v[i]);
+        trial.a[i] = topology.isolated(i) ? fall
+                     : topology.wet(i)    ? newmark.acceleration<Dim>(old.v[i], trial.v[i])
+                                          : newmark.endAcceleration<Dim>(old.v[i], trial.v[i], old.a[i]);
         if (!constraints.isMoved(i)) return;
         trial.x[i] = constraints.position(i, old.x[i], trial.x[i]);
         trial.v[i] = constraints.velocity(i, trial.x[i], trial.v[i]);
@@ -56,7 +58,7 @@ void takeMiddle(const Newmark& newmark, const Nodes<Dim>& old, const Nodes<Dim>&
     forEach(old.size(), [&](int i) {
         middle.x[i] = newmark.middle<Dim>(old.x[i], trial.x[i]);
         middle.v[i] = newmark.middle<Dim>(old.v[i], trial.v[i]);
-        middle.a[i] = trial.a[i];
+        middle.a[i] = newmark.acceleration<Dim>(old.v[i], trial.v[i]);
         middle.p[i] = trial.p[i];
     });
 }
@@ -134,16 +136,33 @@ double viscousStressScale(const Patches<Dim>& fluid, const std::vector<double>& 
     return fluid.nCells() > 0 ? std::sqrt(sum / fluid.nCells()) : 0;
 }
 
+template <int Dim>
+double meanSize(const Nodes<Dim>& nodes) {
+    double h = 0;
+    for (double size : nodes.h) h += size / nodes.size();
+    return h;
+}
+
+/// A speed that moves nothing within a step: so that where nothing moves yet no change is measured by round-off, that of far places
+/// included [m/s].
+template <int Dim>
+double unseenSpeed(const Nodes<Dim>& nodes, double dt) {
+    double farthest = 0;
+    for (const auto& x : nodes.x) farthest = std::max(farthest, x.cwiseAbs().maxCoeff());
+    return unseenPart * (meanSize<Dim>(nodes) + 1e-3 * farthest) / dt;
+}
+
 /// Largest density times g times the mean node distance: the pressure that one layer of fluid makes. The part of the
 /// velocity keeps the round-off of a flow without gravity or pressure from counting as a change; so does `roundOff` [1/s],
-/// the part of the velocities that cannot be told apart over the length of the step and the tolerance.
+/// the part of the velocities that cannot be told apart over the length of the step and the tolerance; and `unseen` [m/s] is what stops within it.
 template <int Dim>
-double pressureScale(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const Nodes<Dim>& nodes, double roundOff) {
-    double rho = 0, h = 0;
+double pressureScale(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const Nodes<Dim>& nodes, double roundOff, double unseen,
+                     double dt) {
+    double rho = 0;
+    const double h = meanSize<Dim>(nodes);
     for (int material : mesh.fluid.material) rho = std::max(rho, problem.fluid(material).rho);
-    for (double size : nodes.h) h += size / nodes.size();
     const double v = rms<Dim>(nodes.v);
-    return rho * (problem.gravity.norm() * h + 1e-6 * v * v + roundOff * v * h);
+    return rho * (problem.gravity.norm() * h + 1e-6 * v * v + roundOff * v * h + unseen * h / dt);
 }
 
 /// Factor of mu div v in the change of pressure. A patch at the free surface, whose sides give way, resists its swelling by mu/3 only
@@ -189,10 +208,12 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
     auto cellMu = fromPoints<Dim>(fluid, viscosity.mu);
     const auto tau = stabilisation<Dim>(problem, mesh.fluid, fluid, cellMu, old.v, dt);
     ContinuitySystem<Dim> continuity(problem, controls.continuity, mesh.fluid, topology, constraints, fluid, cellMu, tau,
-                                           old.x, momentum.solidDofs(), momentum.solidMatrix(), newmark);
+                                           old, momentum.solidDofs(), momentum.solidMatrix(), newmark);
 
-    Convergence convergence(controls.convergence, problem.gravity.norm() * dt,
-                            pressureScale<Dim>(problem, mesh, old, 1e-14 / (dt * controls.convergence.tolP)) +
+    const double waveDamping = 2 * controls.momentum.waveDamping * dt * std::sqrt(problem.gravity.norm() / meanSize<Dim>(old));
+    const double unseen = unseenSpeed<Dim>(old, dt);
+    Convergence convergence(controls.convergence, unseen,
+                            pressureScale<Dim>(problem, mesh, old, 1e-14 / (dt * controls.convergence.tolP), unseen, dt) +
                                 viscousStressScale<Dim>(fluid, cellMu, old.v));
     StepReport report;
     std::vector<double> dp;
@@ -227,8 +248,12 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
             momentum.setViscosity(viscosity);
         }
         // a viscous force that can hardly change any more stays as it is
-        if (report.iterations == 0 || momentum.viscousNumber() * report.finalU > 0.1 * controls.convergence.tolU)
+        if (report.iterations == 0 || std::max(momentum.viscousNumber(), waveDamping) * report.finalU > 0.1 * controls.convergence.tolU)
+{
             viscous = viscousForce<Dim>(fluid, viscosity.mu, middle.v);
+            const auto zigzag = zigzagForce<Dim>(problem, mesh.fluid, fluid, controls.momentum.waveDamping, old.h, middle.v);
+            forEach(trial.size(), [&](int i) { viscous[i] += zigzag[i]; });
+        }
         auto external = tractionForce<Dim>(mesh, problem.conditions, middle.x);
         addWallFriction<Dim>(problem, mesh.fluid, topology, middle, external);
         addSideFriction<Dim>(problem, mesh.fluid, fluid, middle.v, external);
@@ -253,7 +278,7 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
         if (report.iterations > 0 && report.iterations % controls.convergence.refactorEvery == 0) {
             pressureIteration.restart();
             continuity = ContinuitySystem<Dim>(problem, controls.continuity, mesh.fluid, topology, constraints, fluid,
-                                               cellMu, tau, middle.x, momentum.solidDofs(), momentum.solidMatrix(), newmark);
+                                               cellMu, tau, middle, momentum.solidDofs(), momentum.solidMatrix(), newmark);
         }
         if (report.iterations == waiting) pressureIteration.restart();
         dp = continuity.solve(R_c);
@@ -300,6 +325,8 @@ Nodes<Dim> consistentStart(Problem<Dim> problem, Controls controls, const Mesh<D
     for (double size : nodes.h) h = std::max(h, size);
     for (auto& material : problem.materials)
         material.fluid.kappa = open ? 1e300 : 1e8 * material.fluid.rho * h * h / (moment * moment);
+    const Controls asGiven = controls;
+    const double firstStep = 1e3 * moment;
     controls.timeIntegration.gamma = 1;
     controls.convergence.tolU = 1e-11;
     controls.convergence.tolP = open ? 1e-11 : 1e-6;
@@ -324,10 +351,16 @@ Nodes<Dim> consistentStart(Problem<Dim> problem, Controls controls, const Mesh<D
         ++impulses;
         next = step(start);
     }
-    start.p = next.p;
-    start.a = next.a;
-    if (impulses > 0)
-        for (int i = 0; i < start.size(); ++i) start.v[i] -= impulses * moment * next.a[i];
+    if (impulses == 0) {
+        start.p = next.p;
+        start.a = next.a;
+        return start;
+    }
+    for (int i = 0; i < start.size(); ++i) start.v[i] -= impulses * moment * next.a[i];
+    // what is left of the impulses is no pressure: that of a first step of usual length is
+    const Nodes<Dim> first = fsiStep<Dim>(problem, asGiven, mesh, topology, constraintsOver(0, firstStep), start, firstStep, 0).nodes;
+    start.p = first.p;
+    start.a = first.a;
     return start;
 }
 

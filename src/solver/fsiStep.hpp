@@ -38,7 +38,7 @@ using ConstraintsOver = std::function<NodeConstraints<Dim>(double from, double t
 
 /// Pressure and acceleration at t = 0 that agree with the forces: one backward Euler step of the vanishing
 /// length `moment` [s] of the incompressible fluid, of which only p and a are kept. Initial velocities that
-/// walls and incompressibility do not allow are made so by an impulse before.
+/// walls and incompressibility do not allow are made so by an impulse before; p and a are then those of a step of a thousand moments.
 template <int Dim>
 Nodes<Dim> consistentStart(Problem<Dim> problem, Controls controls, const Mesh<Dim>& mesh,
                            const Topology<Dim>& topology, const ConstraintsOver<Dim>& constraintsOver,

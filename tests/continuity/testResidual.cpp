@@ -97,8 +97,10 @@ TEST(ContinuityResidual, projectionIsSymmetricAndPositive) {
     std::mt19937 random(9);
     std::uniform_real_distribution<double> factor(0.5, 2);
     for (double& t : f.tau) t *= factor(random);  // different in each cell
-    const auto projected = projectedCells<2>(f.c.controls.continuity, f.c.state.mesh.fluid, f.topology);
-    for (int e = 0; e < f.patches.nCells(); ++e) EXPECT_TRUE(projected[e]) << e;
+    const auto projected = projectedCells<2>(f.c.controls.continuity, f.c.problem, f.c.state.mesh.fluid, f.topology, f.c.state.nodes);
+    for (int e = 0; e < f.patches.nCells(); ++e)
+        if (!projected[e]) f.tau[e] = 0;  // beside the solid and at corners: not of this kind
+    EXPECT_GT(std::count(projected.begin(), projected.end(), 1), 0.7 * f.patches.nCells());
     const auto S = [&](const std::vector<double>& p) {
         Nodes<2> trial = f.c.state.nodes;
         trial.p = p;

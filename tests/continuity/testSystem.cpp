@@ -46,7 +46,7 @@ struct Coupled {
                                     matrixInertia<2>(mass, Points<2>(mass.size(), Vec<2>::Zero()), newmark), c.state.nodes.h, newmark);
     }
     ContinuitySystem<2> system(const ContinuityControls& controls) const {
-        return {c.problem, controls, c.state.mesh.fluid, topology, constraints, fluid, mu, tau, x, dofs, A, newmark};
+        return {c.problem, controls, c.state.mesh.fluid, topology, constraints, fluid, mu, tau, c.state.nodes, dofs, A, newmark};
     }
     /// R_c of pressure p and velocities v without gravity.
     std::vector<double> residual(const std::vector<double>& stabilisationTime, const std::vector<double>& p,

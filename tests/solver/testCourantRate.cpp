@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "solver/waveRate.hpp"
 #include "support/cases.hpp"
 
 using namespace pfem;
@@ -114,6 +115,16 @@ TEST(CourantRate, ofSurfacesThatAreAboutToMeet) {
     EXPECT_NEAR(rate(0.02, 2), 2 / 0.03 * h / std::hypot(h, 0.02 - 2e-4), 1e-6);
     EXPECT_EQ(rate(0.16, 2), 0);
     EXPECT_EQ(rate(0.05, -2), 0);
+}
+
+// The limits of what does not move yet.
+TEST(WaveRate, isThatOfTheFinestTriangles) {
+    TestCase c = waterBesideStep();
+    EXPECT_NEAR(gravityWaveRate<2>(c.problem, c.state), std::sqrt(9.81 / 0.05), 1e-12);
+    const double modulus = 1e5 * 0.7 / (1.3 * 0.4);
+    EXPECT_NEAR(elasticWaveRate<2>(c.problem, c.state), std::sqrt(modulus / 1200) / 0.05, 1e-9);
+    c.problem.gravity.setZero();
+    EXPECT_EQ(gravityWaveRate<2>(c.problem, c.state), 0);
 }
 
 }  // namespace

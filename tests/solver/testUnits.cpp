@@ -82,6 +82,7 @@ TEST_P(UnitsOfTwo, leaveNoBitAsItWasNot) {
         controls.integration.integration = "elemental";
         controls.solid.stressUpdate = "neoHookean";
         controls.continuity.freeSurfacePressure = "strong";
+        controls.continuity.stabilisation = "inertia";
         controls.momentum.theta = 0.1;
     };
     set(c.controls);

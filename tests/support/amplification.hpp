@@ -8,7 +8,7 @@
 
 namespace pfem::test {
 
-/// The quantities of a state that a step may change, as one vector without units, and back.
+/// The quantities of a state that a step takes from it, but for those without memory (accelerations), as one vector without units, and back.
 class StateVector {
     enum Kind { position, velocity, pressure, lostVolume, stress };
     struct Entry {
@@ -42,23 +42,24 @@ class StateVector {
     }
 
 public:
-    explicit StateVector(const TestCase& rest) : rest_(rest.state.nodes) {
+    /// For steps of length dt: no unit moves a node by more than some h within one.
+    StateVector(const TestCase& rest, double dt) : rest_(rest.state.nodes) {
         const auto topology = rest.topology();
         const auto constraints = rest.constraints(topology);
-        double g = rest.problem.gravity.norm();
-        const double h = rest_.h[0];
+        const double g = rest.problem.gravity.norm();
+        const double h = rest_.h[0], speed = std::min(std::sqrt(g * h), h / dt), pressed = 1000 * speed * speed;
         for (int i = 0; i < rest_.size(); ++i) {
             if (!topology.wet(i) && !topology.onSolid[i]) continue;
             for (const Vec<2>& e : freeDirections(constraints, i)) {
                 add(i, position, e, h);
-                add(i, velocity, e, std::sqrt(g * h));
+                add(i, velocity, e, speed);
             }
             if (topology.wet(i)) {
-                add(i, pressure, {}, 1000 * g * h);
-                add(i, lostVolume, {}, h * h);
+                add(i, pressure, Vec<2>::Zero(), pressed);
+                add(i, lostVolume, Vec<2>::Zero(), h * h);
             }
             if (topology.onSolid[i])
-                for (int c = 0; c < Stress<2>::RowsAtCompileTime; ++c) add(i, stress, Vec<2>(c, 0), 1000 * g * h);
+                for (int c = 0; c < Stress<2>::RowsAtCompileTime; ++c) add(i, stress, Vec<2>(c, 0), pressed);
         }
     }
 

@@ -1,0 +1,42 @@
+#include "solver/waveRate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pfem {
+
+namespace {
+
+/// Least h of a cell's nodes.
+template <int Dim>
+double leastSize(const Nodes<Dim>& nodes, const Simplex<Dim>& cell) {
+    double h = std::numeric_limits<double>::infinity();
+    for (const int node : cell) h = std::min(h, nodes.h[node]);
+    return h;
+}
+
+}  // namespace
+
+template <int Dim>
+double gravityWaveRate(const Problem<Dim>& problem, const State<Dim>& state) {
+    double h = std::numeric_limits<double>::infinity();
+    for (const auto& cell : state.mesh.fluid.nodes) h = std::min(h, leastSize<Dim>(state.nodes, cell));
+    return std::sqrt(problemAt<Dim>(state.time.value, problem).gravity.norm() / h);
+}
+
+template <int Dim>
+double elasticWaveRate(const Problem<Dim>& problem, const State<Dim>& state) {
+    double rate = 0;
+    for (int e = 0; e < state.mesh.solid.size(); ++e) {
+        const Hypoelastic& solid = problem.solid(state.mesh.solid.material[e]);
+        const double modulus = solid.E * (1 - solid.nu) / ((1 + solid.nu) * (1 - 2 * solid.nu));
+        rate = std::max(rate, std::sqrt(modulus / solid.rho) / leastSize<Dim>(state.nodes, state.mesh.solid.nodes[e]));
+    }
+    return rate;
+}
+
+template double gravityWaveRate<2>(const Problem<2>&, const State<2>&);
+template double elasticWaveRate<2>(const Problem<2>&, const State<2>&);
+
+}  // namespace pfem
