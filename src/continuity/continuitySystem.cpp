@@ -114,10 +114,10 @@ void writeColumn(const PressureColumn<Dim>& column, int i, const Unknowns& u, co
 template <int Dim>
 void addCells(SymmetricMatrix& A, const Problem<Dim>& problem, const ContinuityControls& controls,
               const Cells<Dim>& cells, const Topology<Dim>& topology, const Patches<Dim>& patches,
-              const std::vector<double>& tau, const Nodes<Dim>& nodes, const Unknowns& u, const SolidDofs<Dim>& dofs,
+              const Stabilisation& stabilisation, const Unknowns& u, const SolidDofs<Dim>& dofs,
               const NodeConstraints<Dim>& constraints, const Newmark& newmark) {
     const NodeToCells& around = topology.fluid;
-    const auto projected = projectedCells<Dim>(controls, problem, cells, topology, nodes);
+    const auto& [tau, projected] = stabilisation;
 #pragma omp parallel if (cells.size() > shortLoop)
     {
         PressureColumn<Dim> column;
@@ -161,12 +161,12 @@ void addSolid(SymmetricMatrix& A, const ContinuityControls& controls, const Unkn
 template <int Dim>
 void addFreeSurface(SymmetricMatrix& A, const Problem<Dim>& problem, const ContinuityControls& controls,
                     const Cells<Dim>& cells, const Topology<Dim>& topology, const Patches<Dim>& patches,
-                    const std::vector<double>& mu, const std::vector<double>& tau, const Nodes<Dim>& nodes, const Unknowns& u,
+                    const std::vector<double>& mu, const Stabilisation& stabilisation, const Points<Dim>& x, const Unknowns& u,
                     const Newmark& newmark) {
-    const auto projected = projectedCells<Dim>(controls, problem, cells, topology, nodes);
+    const auto& [tau, projected] = stabilisation;
     for (const auto& face : topology.faces) {
         if (face.kind != FaceKind::freeSurface) continue;
-        const double measure = faceArea<Dim>(nodes.x, face.nodes).norm();
+        const double measure = faceArea<Dim>(x, face.nodes).norm();
         const double cell = patches.element[face.cell].measure, twoOverH = 2 * measure / (Dim * cell);
         const double tauN = surfaceStabilisation<Dim>(tau[face.cell], mu[face.cell], cell, measure);
         for (int node : face.nodes)
@@ -175,7 +175,7 @@ void addFreeSurface(SymmetricMatrix& A, const Problem<Dim>& problem, const Conti
                     controls.freeSurfaceWeight * tauN * twoOverH * measure / Dim;
     }
     const double scale = newmark.gamma / std::max(controls.freeSurfaceScale, 1e-12);
-    const auto stiffness = surfaceStiffness<Dim>(problem, cells, topology, nodes.x, newmark);
+    const auto stiffness = surfaceStiffness<Dim>(problem, cells, topology, x, newmark);
     for (int i = 0; i < topology.nNodes(); ++i) {
         if (u.surface[i] < 0) continue;
         double mass = 0;
@@ -228,7 +228,7 @@ template <int Dim>
 ContinuitySystem<Dim>::ContinuitySystem(const Problem<Dim>& problem, const ContinuityControls& controls,
                                         const Cells<Dim>& cells, const Topology<Dim>& topology,
                                         const NodeConstraints<Dim>& constraints, const Patches<Dim>& patches,
-                                        const std::vector<double>& mu, const std::vector<double>& tau, const Nodes<Dim>& nodes,
+                                        const std::vector<double>& mu, const Stabilisation& stabilisation, const Points<Dim>& x,
                                         const SolidDofs<Dim>& dofs, const SymmetricMatrix& solid,
                                         const Newmark& newmark) {
     const bool strong = controls.freeSurfacePressure == "strong";
@@ -242,12 +242,12 @@ ContinuitySystem<Dim>::ContinuitySystem(const Problem<Dim>& problem, const Conti
     A.start = columnStarts<Dim>(topology.ring, u, dofs, solid);
     A.row.resize(A.start[u.n]);
     A.value.resize(A.start[u.n]);
-    addCells<Dim>(A, problem, controls, cells, topology, patches, tau, nodes, u, dofs, constraints, newmark);
+    addCells<Dim>(A, problem, controls, cells, topology, patches, stabilisation, u, dofs, constraints, newmark);
     addSolid(A, controls, u, solid, newmark);
-    if (!strong) addFreeSurface<Dim>(A, problem, controls, cells, topology, patches, mu, tau, nodes, u, newmark);
+    if (!strong) addFreeSurface<Dim>(A, problem, controls, cells, topology, patches, mu, stabilisation, x, u, newmark);
 
     const int parts = nParts(u.n);
-    const auto place = placesOfUnknowns<Dim>(nodes.x, u, dofs);
+    const auto place = placesOfUnknowns<Dim>(x, u, dofs);
     if (controls.factorPrecision == "double") factor_.emplace<DissectedLdlt<double>>();
     std::visit([&](auto& factor) { factor.template factorize<Dim>(A, place, partsOfUnknowns<Dim>(A, place, parts), parts); }, factor_);
 }

@@ -3,7 +3,7 @@
 
 #include <variant>
 
-#include "continuity/controls.hpp"
+#include "continuity/stabilisation.hpp"
 #include "integration/nodalPatches.hpp"
 #include "linear/dissectedLdlt.hpp"
 #include "momentum/solidMatrix.hpp"
@@ -28,7 +28,7 @@ class ContinuitySystem {
 public:
     ContinuitySystem(const Problem<Dim>& problem, const ContinuityControls& controls, const Cells<Dim>& cells,
                      const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,
-                     const Patches<Dim>& patches, const std::vector<double>& mu, const std::vector<double>& tau, const Nodes<Dim>& nodes,
+                     const Patches<Dim>& patches, const std::vector<double>& mu, const Stabilisation& stabilisation, const Points<Dim>& x,
                      const SolidDofs<Dim>& solidDofs, const SymmetricMatrix& solidMatrix, const Newmark& newmark);
 
     /// dp of all nodes for the right-hand side -R_c; zero outside the fluid.

@@ -88,12 +88,12 @@ template <int Dim>
 std::vector<double> continuityResidual(const Problem<Dim>& problem, const ContinuityControls& controls,
                                        const Cells<Dim>& cells, const Topology<Dim>& topology,
                                        const Patches<Dim>& patches, const std::vector<double>& mu,
-                                       const std::vector<double>& tau, const Nodes<Dim>& trial, const Nodes<Dim>& middle,
+                                       const Stabilisation& stabilisation, const Nodes<Dim>& trial, const Nodes<Dim>& middle,
                                        const Nodes<Dim>& old, double dt, double divTarget) {
     const bool inertia = controls.stabilisation != "bodyForce";
     const bool projection = controls.stabilisation == "projection";
+    const auto& [tau, projected] = stabilisation;
     const double tauFaces = inertia ? 0 : meanOverCells<Dim>(patches, tau);
-    const auto projected = projectedCells<Dim>(controls, problem, cells, topology, old);
     auto terms = cellTerms<Dim>(problem, cells, patches, tau, tauFaces, trial, middle, projected, divTarget);
     const NodeToCells& around = topology.fluid;
     if (projection) subtractProjection<Dim>(patches, around, tau, projected, terms.flux);
@@ -137,7 +137,7 @@ std::vector<double> continuityResidual(const Problem<Dim>& problem, const Contin
 
 template std::vector<double> continuityResidual<2>(const Problem<2>&, const ContinuityControls&,
                                                    const Cells<2>&, const Topology<2>&, const Patches<2>&,
-                                                   const std::vector<double>&, const std::vector<double>&,
+                                                   const std::vector<double>&, const Stabilisation&,
                                                    const Nodes<2>&, const Nodes<2>&, const Nodes<2>&, double, double);
 
 }  // namespace pfem

@@ -2,6 +2,7 @@
 // Stabilised continuity (28)-(33), p positive in compression.
 
 #include "continuity/controls.hpp"
+#include "continuity/stabilisation.hpp"
 #include "integration/nodalPatches.hpp"
 #include "state/problem.hpp"
 
@@ -25,7 +26,7 @@ template <int Dim>
 std::vector<double> continuityResidual(const Problem<Dim>& problem, const ContinuityControls& controls,
                                        const Cells<Dim>& cells, const Topology<Dim>& topology,
                                        const Patches<Dim>& patches, const std::vector<double>& mu,
-                                       const std::vector<double>& tau, const Nodes<Dim>& trial, const Nodes<Dim>& middle, const Nodes<Dim>& old, double dt,
+                                       const Stabilisation& stabilisation, const Nodes<Dim>& trial, const Nodes<Dim>& middle, const Nodes<Dim>& old, double dt,
                                        double divTarget);
 
 }  // namespace pfem

@@ -14,6 +14,12 @@ std::vector<double> stabilisation(const Problem<Dim>& problem, const Cells<Dim>&
                                   const Patches<Dim>& patches, const std::vector<double>& mu, const Points<Dim>& v,
                                   double dt);
 
+/// What a step keeps of the stabilisation, per cell.
+struct Stabilisation {
+    std::vector<double> tau;                // stabilisation()
+    std::vector<unsigned char> projected;   // projectedCells()
+};
+
 /// tau_n of the terms on a face of the free surface, from tau and the present viscosity of its cell, with the present height h_n of
 /// the cell over the face:
 ///     1/tau_n = max(1/tau, 4 (d+1) mu/h_n^2).

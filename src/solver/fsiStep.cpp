@@ -206,9 +206,10 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
     MomentumSystem<Dim> momentum(problem, controls.momentum, mesh, topology, constraints, fluid, viscosity, inertia,
                                  std::move(dofs), std::move(solidA), newmark);
     auto cellMu = fromPoints<Dim>(fluid, viscosity.mu);
-    const auto tau = stabilisation<Dim>(problem, mesh.fluid, fluid, cellMu, old.v, dt);
-    ContinuitySystem<Dim> continuity(problem, controls.continuity, mesh.fluid, topology, constraints, fluid, cellMu, tau,
-                                           old, momentum.solidDofs(), momentum.solidMatrix(), newmark);
+    const Stabilisation held{stabilisation<Dim>(problem, mesh.fluid, fluid, cellMu, old.v, dt),
+                             projectedCells<Dim>(controls.continuity, problem, mesh.fluid, topology, old)};
+    ContinuitySystem<Dim> continuity(problem, controls.continuity, mesh.fluid, topology, constraints, fluid, cellMu, held,
+                                           old.x, momentum.solidDofs(), momentum.solidMatrix(), newmark);
 
     const double waveDamping = 2 * controls.momentum.waveDamping * dt * std::sqrt(problem.gravity.norm() / meanSize<Dim>(old));
     const double unseen = unseenSpeed<Dim>(old, dt);
@@ -273,12 +274,12 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
 
         // patches again: the continuity lives in the updated configuration, and so does the next momentum
         updatePatches<Dim>(fluid, report.iterations + 1 < waiting ? old.x : middle.x);
-        const auto R_c = continuityResidual<Dim>(problem, controls.continuity, mesh.fluid, topology, fluid, cellMu, tau,
+        const auto R_c = continuityResidual<Dim>(problem, controls.continuity, mesh.fluid, topology, fluid, cellMu, held,
                                                  trial, middle, old, dt, divTarget);
         if (report.iterations > 0 && report.iterations % controls.convergence.refactorEvery == 0) {
             pressureIteration.restart();
             continuity = ContinuitySystem<Dim>(problem, controls.continuity, mesh.fluid, topology, constraints, fluid,
-                                               cellMu, tau, middle, momentum.solidDofs(), momentum.solidMatrix(), newmark);
+                                               cellMu, held, middle.x, momentum.solidDofs(), momentum.solidMatrix(), newmark);
         }
         if (report.iterations == waiting) pressureIteration.restart();
         dp = continuity.solve(R_c);

@@ -41,7 +41,8 @@ struct Fluid {
         if (c.controls.continuity.stabilisation != "bodyForce")
             for (int i = 0; i < n; ++i) middle.a[i] = (trial.v[i] - old.v[i]) / dt;
         return continuityResidual<2>(c.problem, c.controls.continuity, c.state.mesh.fluid, topology, patches,
-                                     viscosities(), tau, trial, middle, old, dt, divTarget);
+                                     viscosities(), {tau, projectedCells<2>(c.controls.continuity, c.problem, c.state.mesh.fluid, topology, old)}, trial, middle,
+                                     old, dt, divTarget);
     }
     std::vector<double> viscosities() const {
         return std::vector<double>(c.state.mesh.fluid.size(), c.problem.materials[c.state.mesh.fluid.material[0]].fluid.mu);

@@ -45,8 +45,11 @@ struct Coupled {
         return pfem::solidMatrix<2>(c.problem, {}, c.state.mesh.solid, solid, dofs,
                                     matrixInertia<2>(mass, Points<2>(mass.size(), Vec<2>::Zero()), newmark), c.state.nodes.h, newmark);
     }
+    std::vector<unsigned char> projected(const ContinuityControls& controls) const {
+        return projectedCells<2>(controls, c.problem, c.state.mesh.fluid, topology, c.state.nodes);
+    }
     ContinuitySystem<2> system(const ContinuityControls& controls) const {
-        return {c.problem, controls, c.state.mesh.fluid, topology, constraints, fluid, mu, tau, c.state.nodes, dofs, A, newmark};
+        return {c.problem, controls, c.state.mesh.fluid, topology, constraints, fluid, mu, {tau, projected(controls)}, x, dofs, A, newmark};
     }
     /// R_c of pressure p and velocities v without gravity.
     std::vector<double> residual(const std::vector<double>& stabilisationTime, const std::vector<double>& p,
@@ -56,7 +59,7 @@ struct Coupled {
         Nodes<2> trial = c.state.nodes;
         trial.p = p;
         trial.v = v;
-        return continuityResidual<2>(problem, exactly(), c.state.mesh.fluid, topology, fluid, mu, stabilisationTime, trial, trial,
+        return continuityResidual<2>(problem, exactly(), c.state.mesh.fluid, topology, fluid, mu, {stabilisationTime, projected(exactly())}, trial, trial,
                                      c.state.nodes, newmark.dt, 0);
     }
     Points<2> still() const { return Points<2>(n, Vec<2>::Zero()); }

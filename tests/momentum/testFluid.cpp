@@ -165,4 +165,29 @@ TEST(FluidMass, sumsToDensityTimesArea) {
     EXPECT_NEAR(sum, 1000 * f.area(), 1e-9);
 }
 
+// The damping of short waves: nothing for linear velocities, it takes energy from all others, and makes no momentum.
+TEST(ZigzagForce, takesEnergyFromWhatAlternates) {
+    TestCase c = irregularPair();
+    const auto topology = c.topology();
+    const int n = c.state.nodes.size();
+    for (const auto scheme : {Integration::nodal, Integration::elemental}) {
+        const auto patches = makePatches<2>(c.state.mesh.fluid.nodes, topology.fluid, c.state.nodes.x, scheme);
+        const auto force = [&](const Points<2>& v) {
+            return zigzagForce<2>(c.problem, c.state.mesh.fluid, patches, 0.01, c.state.nodes.h, v);
+        };
+        Points<2> linear(n);
+        for (int i = 0; i < n; ++i) {
+            const Vec<2>& x = c.state.nodes.x[i];
+            linear[i] = {1 + 2 * x[0] - x[1], 3 * x[0] + 0.5 * x[1]};
+        }
+        const auto v = randomVectors(n, 3), w = randomVectors(n, 4);
+        EXPECT_LT(largest(force(linear)), 1e-12 * largest(force(v)));
+        EXPECT_GT(dot(v, force(v)), 0);
+        EXPECT_NEAR(dot(w, force(v)), dot(v, force(w)), 1e-12 * dot(v, force(v)));
+        Vec<2> sum = Vec<2>::Zero();
+        for (const auto& f : force(v)) sum += f;
+        EXPECT_LT(sum.norm(), 1e-12 * largest(force(v)));
+    }
+}
+
 }  // namespace
