@@ -14,6 +14,8 @@ double volumeReturnRate(const ContinuityControls& controls, double dt);
 
 /// R_I = Omega_I/(kappa dt) (p_I - p_I^n) + Omega_I (div_I - divTarget) + tau [(L + M_G) p - f]_I  [m2/s],
 /// with tau_n (stabilisation.hpp) in place of tau for M_G and 2 mu d_n.
+/// x, p, a of `middle`, the divergence at the end of the step (`trial`). In projected cells (stabilisation.hpp) instead of tau [...]:
+///     sum_e tau_e |e| grad N_I . (grad p - mean of P_J over the nodes of e),   P_J: tau-weighted mean of grad p around J
 ///   L:   |e| grad N_I . grad p per cell,       f: |e| grad N_I . rho g per cell
 ///   free-surface faces: M_G = (2/h_n) |face|/d,  f -= |face|/d (rho a_n - (2/h_n) 2 mu d_n)
 ///   interface faces:                             f -= |face|/d rho a_n

@@ -1,5 +1,5 @@
 #pragma once
-// Newmark's time integration (22), in velocities.
+// Time integration in velocities: the midpoint rule in place of Newmark's trapezoidal (22); doc/theory.md, section 3.
 
 #include "momentum/boundaryConditions.hpp"
 

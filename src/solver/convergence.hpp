@@ -9,7 +9,7 @@
 namespace pfem {
 
 /// Relative changes |dv|/|v| and |dp|/|p| with norms frozen after the first iteration; guarded against zero by
-/// the scales g dt and rho g h.
+/// a speed that moves nothing within the step, and rho g h.
 class Convergence {
 public:
     Convergence(const ConvergenceControls& controls, double velocityScale, double pressureScale)

@@ -249,8 +249,7 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
             momentum.setViscosity(viscosity);
         }
         // a viscous force that can hardly change any more stays as it is
-        if (report.iterations == 0 || std::max(momentum.viscousNumber(), waveDamping) * report.finalU > 0.1 * controls.convergence.tolU)
-{
+        if (report.iterations == 0 || std::max(momentum.viscousNumber(), waveDamping) * report.finalU > 0.1 * controls.convergence.tolU) {
             viscous = viscousForce<Dim>(fluid, viscosity.mu, middle.v);
             const auto zigzag = zigzagForce<Dim>(problem, mesh.fluid, fluid, controls.momentum.waveDamping, old.h, middle.v);
             forEach(trial.size(), [&](int i) { viscous[i] += zigzag[i]; });
