@@ -1,4 +1,5 @@
-// What one call of each part of a step costs, on the water column of tutorials/damBreakRigidWall with about N triangles.
+// What one call of each part of a step costs, on the water column of tutorials/damBreakRigidWall with about N
+// triangles.
 //
 //     benchmarkKernels --benchmark_filter=Pressure
 
@@ -28,9 +29,10 @@ const TestCase& column(int triangles) {
     const auto found = known.find(triangles);
     if (found != known.end()) return found->second;
     const double h = std::sqrt(4 * 0.18 / (std::sqrt(3.0) * triangles));
-    TestCase c = makeCase("meshSize " + std::to_string(h) + "; bodies ( water { type fluid; material water; " +
-                              rectangle(0, 0, 0.6, 0.3) + " } ); walls ( tank { points ((0 1) (0 0) (1.61 0) (1.61 1)); } );",
-                          water, "tank { type slip; }");
+    TestCase c =
+        makeCase("meshSize " + std::to_string(h) + "; bodies ( water { type fluid; material water; " +
+                     rectangle(0, 0, 0.6, 0.3) + " } ); walls ( tank { points ((0 1) (0 0) (1.61 0) (1.61 1)); } );",
+                 water, "tank { type slip; }");
     c.start(1e-4);
     for (int k = 0; k < 20; ++k) c.step(0.05 * h);
     return known.emplace(triangles, std::move(c)).first->second;
@@ -51,7 +53,9 @@ struct Step {
     SymmetricMatrix noMatrix = symmetricPattern({});
 
     ContinuitySystem<2> system() const {
-        return {c.problem, c.controls.continuity, cells, topology, constraints, fluid, mu, tau, nodes.x, noSolid, noMatrix, Newmark{dt}};
+        return {
+            c.problem,  c.controls.continuity, cells, topology, constraints, fluid, mu, tau, nodes.x, noSolid, noMatrix,
+            Newmark{dt}};
     }
 };
 
@@ -78,7 +82,8 @@ void Remeshing(benchmark::State& state) {
         State<2> copy = c.state;
         Topology<2> topology = c.topology();
         state.ResumeTiming();
-        benchmark::DoNotOptimize(remesh<2>(c.controls.remeshing, c.kinds(), std::move(topology), 1e-4, triangulator, copy));
+        benchmark::DoNotOptimize(
+            remesh<2>(c.controls.remeshing, c.kinds(), std::move(topology), 1e-4, triangulator, copy));
     }
     perTriangle(state, c);
 }
@@ -105,8 +110,8 @@ void ViscousOperator(benchmark::State& state) {
 void ContinuityResidual(benchmark::State& state) {
     const Step s{column(static_cast<int>(state.range(0)))};
     for (auto _ : state)
-        benchmark::DoNotOptimize(continuityResidual<2>(s.c.problem, s.c.controls.continuity, s.cells, s.topology, s.fluid, s.mu,
-                                                       s.tau, s.nodes, s.nodes, s.dt, 0));
+        benchmark::DoNotOptimize(continuityResidual<2>(s.c.problem, s.c.controls.continuity, s.cells, s.topology,
+                                                       s.fluid, s.mu, s.tau, s.nodes, s.nodes, s.dt, 0));
     perTriangle(state, s.c);
 }
 
@@ -140,7 +145,8 @@ void WholeStep(benchmark::State& state) {
     perTriangle(state, c);
 }
 
-#define PFEM_SIZES Unit(benchmark::kMillisecond)->Arg(6000)->Arg(24000)->Arg(96000)->MeasureProcessCPUTime()->UseRealTime()
+#define PFEM_SIZES \
+    Unit(benchmark::kMillisecond)->Arg(6000)->Arg(24000)->Arg(96000)->MeasureProcessCPUTime()->UseRealTime()
 BENCHMARK(Triangulation)->PFEM_SIZES;
 BENCHMARK(Remeshing)->PFEM_SIZES;
 BENCHMARK(TopologyOfStep)->PFEM_SIZES;

@@ -21,12 +21,10 @@ namespace {
 
 OptionsSpec boundsOptions() {
     OptionsSpec spec;
-    spec.add(
-        "sizes", "list",
-        "Mesh sizes, e.g. '(0.006 0.004)' (default: meshSize of system/meshDict; with -noRun all there are)");
+    spec.add("sizes", "list",
+             "Mesh sizes, e.g. '(0.006 0.004)' (default: meshSize of system/meshDict; with -noRun all there are)");
     spec.add("endTime", "time", "End of the runs and of the comparison [s] (default: the case's endTime)");
-    spec.add("functions", "list",
-             "Functions whose tables are compared, e.g. '(tip)' (default: all of type probes)");
+    spec.add("functions", "list", "Functions whose tables are compared, e.g. '(tip)' (default: all of type probes)");
     spec.add("quantities", "list", "Only these, e.g. '(tip_D_x)' (default: all that change)");
     spec.add("reference", "dir", "A finer case with the same probes, drawn over the band");
     spec.add("inside", "part",
@@ -46,8 +44,7 @@ std::vector<TwinCase> twinsOf(const Case& theCase, const Options& options) {
         sizes = options.found("noRun") ? sizesIn(theCase.root() / folder) : std::vector{meshSizeOf(theCase)};
     const auto twins = twinCases(theCase, folder, sizes);
     if (twins.empty())
-        throw UserError(
-            fmt::format("no cases nodal-<mesh size> and elemental-<mesh size> in \"{}\"", folder));
+        throw UserError(fmt::format("no cases nodal-<mesh size> and elemental-<mesh size> in \"{}\"", folder));
     return twins;
 }
 
@@ -57,7 +54,8 @@ std::vector<std::string> functionNames(const Case& theCase, const Options& optio
     const Dictionary control = Dictionary::read(theCase.controlDict());
     std::vector<std::string> names;
     for (const auto& entry : functionEntries(control))
-        if (entry.get("enabled", true) && entry.get<std::string>("type", "") == "probes") names.push_back(entry.keyword());
+        if (entry.get("enabled", true) && entry.get<std::string>("type", "") == "probes")
+            names.push_back(entry.keyword());
     if (names.empty()) throw UserError("no function of type probes: nothing to compare", control.where("functions"));
     return names;
 }
@@ -79,11 +77,9 @@ void draw(const std::filesystem::path& folder, const std::string& name) {
     try {
         std::filesystem::remove(log);
         if (runProgram({"gnuplot", name + ".gp"}, folder, log) != 0)
-            std::cerr << "--> PFEM Warning: gnuplot could not draw " << name << ".gp: see \"" << log.string()
-                      << "\"\n";
+            std::cerr << "--> PFEM Warning: gnuplot could not draw " << name << ".gp: see \"" << log.string() << "\"\n";
     } catch (const UserError& error) {
-        std::cerr << "--> PFEM Warning: no picture: " << error.what() << "; draw it with  gnuplot " << name
-                  << ".gp\n";
+        std::cerr << "--> PFEM Warning: no picture: " << error.what() << "; draw it with  gnuplot " << name << ".gp\n";
     }
 }
 
@@ -98,19 +94,17 @@ void write(const std::filesystem::path& folder, const Quantity& quantity) {
 }
 
 /// The quantities of one table of a function in all twins.
-std::vector<Quantity> compared(const std::vector<TwinCase>& twins, const std::string& function,
-                               const std::string& file, const Options& options, std::optional<double> until) {
+std::vector<Quantity> compared(const std::vector<TwinCase>& twins, const std::string& function, const std::string& file,
+                               const Options& options, std::optional<double> until) {
     std::vector<TwinHistories> histories;
     for (std::size_t k = 0; k < twins.size(); k += 2)
         histories.push_back({twins[k].h, readHistories(twins[k].root, function, file),
                              readHistories(twins[k + 1].root, function, file)});
     std::vector<History> reference;
-    if (options.found("reference"))
-        reference = readHistories(Case(options.get("reference")).root(), function, file);
+    if (options.found("reference")) reference = readHistories(Case(options.get("reference")).root(), function, file);
     auto quantities = quantitiesOf(function, histories, reference, until);
     if (options.found("quantities")) {
-        const auto wanted =
-            optionValue<std::vector<std::string>>(options, "quantities", "a list: '(tip_D_x)'");
+        const auto wanted = optionValue<std::vector<std::string>>(options, "quantities", "a list: '(tip_D_x)'");
         std::erase_if(quantities, [&](const Quantity& q) {
             return std::find(wanted.begin(), wanted.end(), q.name) == wanted.end();
         });

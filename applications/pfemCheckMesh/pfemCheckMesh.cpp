@@ -22,8 +22,8 @@ void printShapes(const char* kind, const Cells<2>& cells, const CellShapes& shap
     fmt::print("{}: {} triangles, quality 2 r/R (1: equilateral)\n", kind, cells.size());
     for (std::size_t k = 0; k < shapes.histogram.size(); ++k)
         if (shapes.histogram[k] > 0)
-            fmt::print("  {:.1f} - {:.1f} {:>9} {}\n", 0.1 * static_cast<double>(k),
-                       0.1 * static_cast<double>(k + 1), shapes.histogram[k],
+            fmt::print("  {:.1f} - {:.1f} {:>9} {}\n", 0.1 * static_cast<double>(k), 0.1 * static_cast<double>(k + 1),
+                       shapes.histogram[k],
                        std::string(static_cast<std::size_t>(50.0 * shapes.histogram[k] / cells.size()), '#'));
     const Vec<2> worst = simplexCentroid<2>(x, cells.nodes[static_cast<std::size_t>(shapes.worstCell)]);
     fmt::print("  worst {:.3f} at ({:.6g} {:.6g})\n", shapes.worst, worst[0], worst[1]);
@@ -32,8 +32,7 @@ void printShapes(const char* kind, const Cells<2>& cells, const CellShapes& shap
 void printFaults(const std::vector<MeshFault>& faults, const char* mark) {
     constexpr std::size_t shown = 10;
     for (std::size_t k = 0; k < std::min(shown, faults.size()); ++k)
-        fmt::print("  {}{} at ({:.6g} {:.6g})\n", mark, faults[k].what, faults[k].where[0],
-                   faults[k].where[1]);
+        fmt::print("  {}{} at ({:.6g} {:.6g})\n", mark, faults[k].what, faults[k].where[0], faults[k].where[1]);
     if (faults.size() > shown) fmt::print("  {}and {} more\n", mark, faults.size() - shown);
 }
 
@@ -42,9 +41,8 @@ bool printCheck(const State<2>& state, const MeshCheck& check) {
     printShapes("Fluid", state.mesh.fluid, check.fluid, state.nodes.x);
     printShapes("Solid", state.mesh.solid, check.solid, state.nodes.x);
     if (state.mesh.fluid.size() > 0)
-        fmt::print(
-            "Boundary of the fluid: free surface {:.6g} m in {} pieces, walls {:.6g} m, solids {:.6g} m\n",
-            check.freeSurface, check.pieces, check.wetWalls, check.interface);
+        fmt::print("Boundary of the fluid: free surface {:.6g} m in {} pieces, walls {:.6g} m, solids {:.6g} m\n",
+                   check.freeSurface, check.pieces, check.wetWalls, check.interface);
     const auto& drops = state.nodes.dropVolume;
     if (const auto n = std::count_if(drops.begin(), drops.end(), [](double volume) { return volume > 0; }); n > 0)
         fmt::print("Drops in flight: {} nodes, {:.3g} m2\n", n, std::accumulate(drops.begin(), drops.end(), 0.0));
@@ -61,19 +59,17 @@ bool printCheck(const State<2>& state, const MeshCheck& check) {
 int main(int argc, char** argv) {
     OptionsSpec spec;
     spec.addTimeSelection();
-    return runApplication(
-        argc, argv, "Check the mesh of the written times.", spec, [](const Options& options) {
-            const Case theCase = options.openCase();
-            bool good = true;
-            for (const auto& time : selectTimes(theCase, options)) {
-                const State<2> state = readState<2>(theCase.time(time.name));
-                const auto kinds = readProblem<2>(theCase, state).conditions.kind;
-                const auto topology = makeTopology<2>(state.mesh, kinds, state.nodes.wall);
-                fmt::print("Time = {}\n\n", time.name);
-                good =
-                    printCheck(state, checkMesh(state.mesh, topology, state.nodes.x, state.nodes.h)) && good;
-            }
-            fmt::print("End\n\n");
-            return good ? 0 : 1;
-        });
+    return runApplication(argc, argv, "Check the mesh of the written times.", spec, [](const Options& options) {
+        const Case theCase = options.openCase();
+        bool good = true;
+        for (const auto& time : selectTimes(theCase, options)) {
+            const State<2> state = readState<2>(theCase.time(time.name));
+            const auto kinds = readProblem<2>(theCase, state).conditions.kind;
+            const auto topology = makeTopology<2>(state.mesh, kinds, state.nodes.wall);
+            fmt::print("Time = {}\n\n", time.name);
+            good = printCheck(state, checkMesh(state.mesh, topology, state.nodes.x, state.nodes.h)) && good;
+        }
+        fmt::print("End\n\n");
+        return good ? 0 : 1;
+    });
 }

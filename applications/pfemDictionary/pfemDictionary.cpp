@@ -77,8 +77,9 @@ void demandScope(const std::string& file, Dictionary dictionary, const std::vect
     const auto dot = key.find('.');
     if (dot == std::string::npos || dictionary.found(key)) return;
     const std::string scope = key.substr(0, dot), entry = key.substr(dot + 1);
-    throw UserError("there is no dictionary '" + scope + "' for entry '" + entry + "': add it first, -entry " + around + scope +
-                        " -set '{ " + entry + " ...; }'. A keyword with a dot is written in quotes, -entry '" + around + "\"" + key + "\"'",
+    throw UserError("there is no dictionary '" + scope + "' for entry '" + entry + "': add it first, -entry " + around +
+                        scope + " -set '{ " + entry + " ...; }'. A keyword with a dot is written in quotes, -entry '" +
+                        around + "\"" + key + "\"'",
                     {file, 0});
 }
 
@@ -99,20 +100,20 @@ void change(const Options& options, const std::string& file, const std::vector<s
 
 int main(int argc, char** argv) {
     return runApplication(
-        argc, argv, "Show or change the entries of a dictionary.", dictionaryOptions(),
-        [](const Options& options) {
+        argc, argv, "Show or change the entries of a dictionary.", dictionaryOptions(), [](const Options& options) {
             const std::string& file = options.arguments().front();
             const int changes = options.found("set") + options.found("add") + options.found("remove");
             if (changes > 1) throw UserError("only one of -set, -add and -remove at a time");
             if (changes > 0 && !options.found("entry")) throw UserError("which entry? -entry <a/b>");
             const Dictionary dictionary = Dictionary::read(file);
-            const auto path = options.found("entry") ? pathOf(options.get("entry"), dictionary)
-                                                     : std::vector<std::string>{};
+            const auto path =
+                options.found("entry") ? pathOf(options.get("entry"), dictionary) : std::vector<std::string>{};
             if (changes == 0) {
                 show(options, dictionary, path);
                 return 0;
             }
-            if (!options.found("remove") && !isQuoted(lastName(options.get("entry")))) demandScope(file, dictionary, path);
+            if (!options.found("remove") && !isQuoted(lastName(options.get("entry"))))
+                demandScope(file, dictionary, path);
             change(options, file, path);
             return 0;
         });

@@ -23,16 +23,14 @@ using namespace pfem;
 
 namespace {
 
-double clockNow() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double clockNow() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 double cpuNow() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// What the last run has left: an old lock, unfinished folders, other settings. Returns those of now.
 Settings welcome(const Case& theCase, const RunLock& lock) {
     if (!lock.abandoned().empty())
-        std::cerr << "--> PFEM Warning : the lock of a run that did not end properly is taken over (" << lock.abandoned()
-                  << ")\n";
+        std::cerr << "--> PFEM Warning : the lock of a run that did not end properly is taken over ("
+                  << lock.abandoned() << ")\n";
     for (const auto& done : clearUnfinished(theCase.root())) std::cerr << "--> PFEM Warning : " << done << "\n";
     const Settings settings = currentSettings(theCase);
     const std::string changes = settingChanges(theCase, settings);
@@ -67,7 +65,8 @@ int run(const Options& options) {
     functions.start(state);
 
     if (clock.ended(state.time))
-        std::cerr << "--> PFEM Warning: nothing to do: endTime is not after the start at " << state.time.value << " s\n";
+        std::cerr << "--> PFEM Warning: nothing to do: endTime is not after the start at " << state.time.value
+                  << " s\n";
     std::cout << "Starting time loop\n\n" << std::flush;
     RunSummary summary;
     Triangulator triangulator;
@@ -75,8 +74,11 @@ int run(const Options& options) {
     const double clockStart = clockNow(), timeStart = state.time.value;
     while (clock.running(state.time)) {
         const CourantRate rate = courantRate(state);
-        const double dt = clock.deltaT(state.time, {.courant = rate.largest, .relative = rate.relative, .compression = rate.compression,
-                                                    .gravityWave = gravityWaveRate(problem, state), .elasticWave = elasticRate});
+        const double dt = clock.deltaT(state.time, {.courant = rate.largest,
+                                                    .relative = rate.relative,
+                                                    .compression = rate.compression,
+                                                    .gravityWave = gravityWaveRate(problem, state),
+                                                    .elasticWave = elasticRate});
         const AdvanceReport report = recorder.advance(controls, triangulator, state, dt);
         state.time = clock.advance(state.time, report.dt);
         summary.add(report, state.mesh.fluid.size() + state.mesh.solid.size());

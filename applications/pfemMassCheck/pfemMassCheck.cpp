@@ -37,7 +37,8 @@ void printCompression(const std::vector<MassBalance>& rows) {
         time = row.time;
     }
     if (std::abs(largest) < 1e-5) return;
-    fmt::print("Pressure changes the volume by at most {:.3g} % (at time {:g}): compression, no change of mass.\n", 100 * largest, time);
+    fmt::print("Pressure changes the volume by at most {:.3g} % (at time {:g}): compression, no change of mass.\n",
+               100 * largest, time);
 }
 
 double readTolerance(const Options& options) {
@@ -58,12 +59,10 @@ int main(int argc, char** argv) {
             const double tolerance = readTolerance(options);
             const auto first = listTimes(theCase.root()).complete;
             const auto times = selectTimes(theCase, options);
-            const MassAccount<2> account(readState<2>(theCase.time(first.front().name)),
-                                         readDensities(theCase.root()));
+            const MassAccount<2> account(readState<2>(theCase.time(first.front().name)), readDensities(theCase.root()));
 
             std::vector<MassBalance> rows;
-            for (const auto& time : times)
-                rows.push_back(account.balance(readState<2>(theCase.time(time.name))));
+            for (const auto& time : times) rows.push_back(account.balance(readState<2>(theCase.time(time.name))));
             printTable(rows);
 
             printCompression(rows);
@@ -74,7 +73,9 @@ int main(int argc, char** argv) {
             fmt::print("The mass changes by at most {:.3g} % (at time {:g}), {} the tolerance of {:.3g} %.\n",
                        100 * worst->withoutGone, worst->time, good ? "within" : "BEYOND", 100 * tolerance);
             const double gone = rows.back().relativeChange - rows.back().withoutGone;
-            if (gone != 0) fmt::print("Drops that have left for good took {:.3g} % with them; they are not counted in it.\n", -100 * gone);
+            if (gone != 0)
+                fmt::print("Drops that have left for good took {:.3g} % with them; they are not counted in it.\n",
+                           -100 * gone);
             return good ? 0 : 1;
         });
 }

@@ -33,8 +33,7 @@ std::vector<std::string> materialNames(const Case& theCase) {
 double meshSizeOption(const Options& options) {
     if (!options.found("h")) return 0;
     const auto h = asNumber(options.get("h"));
-    if (!h || !(*h > 0))
-        throw UserError("-h " + options.get("h") + ": the mesh size must be a positive number");
+    if (!h || !(*h > 0)) throw UserError("-h " + options.get("h") + ": the mesh size must be a positive number");
     return *h;
 }
 
@@ -63,7 +62,8 @@ void checkConditions(const Case& theCase, const State<2>& state) {
 MeshResult makeMesh(const Case& theCase, const MeshDescription& description) {
     if (description.meshFile.empty()) return buildMesh(description);
     const auto file = theCase.root() / description.meshFile;
-    if (!std::filesystem::exists(file)) throw UserError("cannot find file \"" + file.string() + "\"", description.meshFileAt);
+    if (!std::filesystem::exists(file))
+        throw UserError("cannot find file \"" + file.string() + "\"", description.meshFileAt);
     return takeMesh(description, readMeshFile(file, description.cellArray));
 }
 
@@ -92,8 +92,8 @@ int run(const Options& options) {
     checkConditions(theCase, mesh.state);
 
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    std::cout << fmt::format("\nWritten 0/\nExecutionTime = {:.2f} s  Memory = {:.0f} MB\n\nEnd\n",
-                             elapsed.count(), memoryPeak());
+    std::cout << fmt::format("\nWritten 0/\nExecutionTime = {:.2f} s  Memory = {:.0f} MB\n\nEnd\n", elapsed.count(),
+                             memoryPeak());
     return 0;
 }
 
@@ -104,6 +104,7 @@ int main(int argc, char* argv[]) {
     spec.add("h", "size",
              "target edge length [m] instead of meshSize at the top of meshDict; "
              "bodies and walls with a meshSize of their own keep it");
-    return runApplication(argc, argv, "Mesh the bodies and walls of system/meshDict, or take the mesh of a file, and write time 0.", spec,
-                          run);
+    return runApplication(argc, argv,
+                          "Mesh the bodies and walls of system/meshDict, or take the mesh of a file, and write time 0.",
+                          spec, run);
 }

@@ -20,9 +20,10 @@ const std::vector<std::string> templates = {"damBreak", "gmsh"};
 OptionsSpec newCaseOptions() {
     OptionsSpec spec;
     spec.arguments = {"folder"};
-    return spec.add("template", "name",
-                    "damBreak (default): water and an elastic wall, every dictionary explained; gmsh: the mesh comes from a "
-                    "file of Gmsh");
+    return spec.add(
+        "template", "name",
+        "damBreak (default): water and an elastic wall, every dictionary explained; gmsh: the mesh comes from a "
+        "file of Gmsh");
 }
 
 fs::path templateFolder(const std::string& name) {
@@ -37,7 +38,8 @@ fs::path templateFolder(const std::string& name) {
 
 int main(int argc, char** argv) {
     return runApplication(
-        argc, argv, "Begin a case: copy a commented template into a new folder.", newCaseOptions(), [](const Options& options) {
+        argc, argv, "Begin a case: copy a commented template into a new folder.", newCaseOptions(),
+        [](const Options& options) {
             const fs::path folder = options.openCase().root() / options.arguments().front();
             const fs::path source = templateFolder(options.get("template", templates.front()));
             std::error_code error;

@@ -43,8 +43,8 @@ Dictionary functionsOf(const Case& theCase, const Options& options, const std::v
         if (wanted.size() == 1 && std::find(types.begin(), types.end(), name) != types.end())
             return Dictionary::parse("functions { " + name + " { type " + name + "; } }", "-func " + name);
         throw UserError(notValid(name, "function", names) +
-                        "\n\nIts type alone is enough for functions without entries, one at a time; " +
-                        "types are " + fmt::format("{}", fmt::join(types, " ")));
+                        "\n\nIts type alone is enough for functions without entries, one at a time; " + "types are " +
+                        fmt::format("{}", fmt::join(types, " ")));
     }
     return dict;
 }
@@ -62,11 +62,9 @@ int main(int argc, char** argv) {
             const auto wanted = wantedNames(options);
             const Dictionary dict = functionsOf(theCase, options, wanted);
             FunctionObjects<2> functions(theCase, dict, times.front().name, 6, [&](const Dictionary& entry) {
-                return wanted.empty() ||
-                       std::find(wanted.begin(), wanted.end(), entry.keyword()) != wanted.end();
+                return wanted.empty() || std::find(wanted.begin(), wanted.end(), entry.keyword()) != wanted.end();
             });
-            if (functions.size() == 0)
-                throw UserError("there is no enabled function in \"" + dict.name() + "\"");
+            if (functions.size() == 0) throw UserError("there is no enabled function in \"" + dict.name() + "\"");
             for (const auto& entry : functionEntries(dict)) warnUnused(entry, std::cerr);
             postProcess(theCase, functions, times, options.found("overwrite"), std::cout);
             std::cout << "\nEnd\n\n";

@@ -28,10 +28,9 @@ OptionsSpec probeOptions() {
 Dictionary functionsOf(const Case& theCase, const Options& options) {
     if (!options.found("point")) return Dictionary::read(options.get("dict", theCase.controlDict().string()));
     return Dictionary::parse(
-        fmt::format(
-            "functions {{ {} {{ type probes; fields {}; probeLocations ({}); fixedLocations {}; }} }}",
-            options.get("name", "point"), options.get("fields", "(U p)"), options.get("point"),
-            options.found("moving") ? "false" : "true"),
+        fmt::format("functions {{ {} {{ type probes; fields {}; probeLocations ({}); fixedLocations {}; }} }}",
+                    options.get("name", "point"), options.get("fields", "(U p)"), options.get("point"),
+                    options.found("moving") ? "false" : "true"),
         "command line");
 }
 

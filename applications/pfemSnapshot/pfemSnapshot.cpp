@@ -18,11 +18,9 @@ OptionsSpec snapshotOptions() {
     OptionsSpec spec;
     spec.addTimeSelection();
     spec.add("field", "name", fmt::format("Colour by {} (default p)", fmt::join(pictureFieldNames(), ", ")));
-    spec.add("range", "'(low high)'",
-             "Values at the ends of the colour bar (default: of the selected times)");
+    spec.add("range", "'(low high)'", "Values at the ends of the colour bar (default: of the selected times)");
     spec.add("box", "'((x y) (x y))'", "Lower left and upper right corner of what is shown [m]");
-    spec.add("colours", "name",
-             fmt::format("Colour map: {} (default viridis)", fmt::join(ColourMap::names(), ", ")));
+    spec.add("colours", "name", fmt::format("Colour map: {} (default viridis)", fmt::join(ColourMap::names(), ", ")));
     spec.add("columns", "n", "Pictures side by side (default 3)");
     spec.add("width", "pixels", "Width of the whole picture (default 1600)");
     spec.add("mesh", "", "Draw the edges of the triangles");
@@ -55,19 +53,19 @@ SheetOptions sheetOptions(const Options& options) {
 }  // namespace
 
 int main(int argc, char* argv[]) {
-    return runApplication(argc, argv, "Draw time folders as a PNG picture, without ParaView or a display.",
-                          snapshotOptions(), [](const Options& options) {
-                              const Case theCase = options.openCase();
-                              const SheetOptions sheet = sheetOptions(options);
-                              std::vector<State<2>> states;
-                              for (const auto& time : selectTimes(theCase, options))
-                                  states.push_back(readState<2>(theCase.time(time.name)));
-                              const Image image = drawSheet(states, sheet);
-                              const auto file = options.found("o") ? std::filesystem::path(options.get("o"))
-                                                                   : theCase.root() / "snapshots.png";
-                              writePng(file, image);
-                              fmt::print("{} times, {} x {} pixels: {}\n", states.size(), image.width,
-                                         image.height, file.string());
-                              return 0;
-                          });
+    return runApplication(
+        argc, argv, "Draw time folders as a PNG picture, without ParaView or a display.", snapshotOptions(),
+        [](const Options& options) {
+            const Case theCase = options.openCase();
+            const SheetOptions sheet = sheetOptions(options);
+            std::vector<State<2>> states;
+            for (const auto& time : selectTimes(theCase, options))
+                states.push_back(readState<2>(theCase.time(time.name)));
+            const Image image = drawSheet(states, sheet);
+            const auto file =
+                options.found("o") ? std::filesystem::path(options.get("o")) : theCase.root() / "snapshots.png";
+            writePng(file, image);
+            fmt::print("{} times, {} x {} pixels: {}\n", states.size(), image.width, image.height, file.string());
+            return 0;
+        });
 }

@@ -50,9 +50,8 @@ private:
     std::optional<Table> table_;
 };
 
-const bool added =
-    addFunctionType<2>("surfaceLength", [](const Dictionary& dict, const FunctionContext<2>& context) {
-        return std::unique_ptr<FunctionObject<2>>(new SurfaceLength(dict, context));
-    });
+const bool added = addFunctionType<2>("surfaceLength", [](const Dictionary& dict, const FunctionContext<2>& context) {
+    return std::unique_ptr<FunctionObject<2>>(new SurfaceLength(dict, context));
+});
 
 }  // namespace

@@ -2,8 +2,8 @@
 //
 //     clay { type vonMises; rho 1800; E 1e6; nu 0.3; yieldStress 2e3; }
 //
-// Radial return: the elastic trial stress sigma + C : strain; where its von Mises stress q = sqrt(3/2 s : s) is above the yield
-// stress, its deviator s is shortened to it.
+// Radial return: the elastic trial stress sigma + C : strain; where its von Mises stress q = sqrt(3/2 s : s) is above
+// the yield stress, its deviator s is shortened to it.
 
 #include <cmath>
 

@@ -28,9 +28,8 @@ std::string manPage(const std::string& program, const std::string& description, 
     for (const auto& argument : spec.arguments) text += fmt::format(" <{}>", roff(argument));
     text += "\n.SH OPTIONS\n";
     for (const auto& option : allOptions(spec))
-        text +=
-            fmt::format(".TP\n.B {}{}\n{}\n", roff("-" + option.name),
-                        option.argument.empty() ? "" : roff(" <" + option.argument + ">"), roff(option.help));
+        text += fmt::format(".TP\n.B {}{}\n{}\n", roff("-" + option.name),
+                            option.argument.empty() ? "" : roff(" <" + option.argument + ">"), roff(option.help));
     return text +
            ".SH EXIT STATUS\n0 on success, 1 after an error, whose message is on the standard error stream.\n"
            ".SH SEE ALSO\nThe project's README.md; the entries of all dictionaries: doc/keywords.md, or the "

@@ -40,8 +40,7 @@ bool looksLikeOption(const std::string& token) {
     std::vector<std::string> names;
     for (const auto& option : all) names.push_back(option.name);
     const std::string near = nearestWord(bareName(token), names);
-    throw UserError("Invalid option: -" + bareName(token) +
-                    (near.empty() ? "" : " (did you mean '-" + near + "'?)"));
+    throw UserError("Invalid option: -" + bareName(token) + (near.empty() ? "" : " (did you mean '-" + near + "'?)"));
 }
 
 }  // namespace
@@ -49,8 +48,7 @@ bool looksLikeOption(const std::string& token) {
 std::vector<OptionSpec> allOptions(const OptionsSpec& spec) {
     std::vector<OptionSpec> all = commonOptions();
     all.insert(all.end(), spec.options.begin(), spec.options.end());
-    std::sort(all.begin(), all.end(),
-              [](const OptionSpec& a, const OptionSpec& b) { return a.name < b.name; });
+    std::sort(all.begin(), all.end(), [](const OptionSpec& a, const OptionSpec& b) { return a.name < b.name; });
     return all;
 }
 
@@ -103,9 +101,8 @@ Options::Options(int argc, const char* const* argv, const OptionsSpec& spec) {
         throw UserError(std::string("Invalid command line: ") + error.what());
     }
     if (!wantsHelp() && arguments_.size() != spec.arguments.size())
-        throw UserError(
-            fmt::format("Expected {} arguments but found {}", spec.arguments.size(), arguments_.size()) +
-            (arguments_.empty() ? "" : ": '" + arguments_.front() + "'"));
+        throw UserError(fmt::format("Expected {} arguments but found {}", spec.arguments.size(), arguments_.size()) +
+                        (arguments_.empty() ? "" : ": '" + arguments_.front() + "'"));
 }
 
 std::string Options::get(const std::string& name, const std::string& defaultValue) const {
@@ -113,17 +110,14 @@ std::string Options::get(const std::string& name, const std::string& defaultValu
     return value == values_.end() ? defaultValue : value->second;
 }
 
-Case Options::openCase() const {
-    return Case(get("case", "."), program_);
-}
+Case Options::openCase() const { return Case(get("case", "."), program_); }
 
 std::string helpText(const std::string& program, const std::string& description, const OptionsSpec& spec) {
     std::string text = "\nUsage: " + program + " [OPTIONS]";
     for (const auto& argument : spec.arguments) text += " <" + argument + ">";
     text += "\nOptions:\n";
     for (const auto& option : allOptions(spec)) {
-        const std::string left =
-            "  -" + option.name + (option.argument.empty() ? "" : " <" + option.argument + ">");
+        const std::string left = "  -" + option.name + (option.argument.empty() ? "" : " <" + option.argument + ">");
         text += left.size() < 19 ? fmt::format("{:<20}{}\n", left, option.help)
                                  : fmt::format("{}\n{:<20}{}\n", left, "", option.help);
     }

@@ -73,8 +73,7 @@ std::string startBanner(const Options& options, const Case& theCase) {
            fmt::format(
                "Build  : PFEM={}\nExec   : {}\nDate   : {}\nTime   : {}\nHost   : {}\nPID    : {}\n"
                "Case   : {}\nnProcs : 1\n",
-               PFEM_VERSION, exec, now("%b %d %Y"), now("%H:%M:%S"), host(), getpid(),
-               theCase.root().string()) +
+               PFEM_VERSION, exec, now("%b %d %Y"), now("%H:%M:%S"), host(), getpid(), theCase.root().string()) +
            line + "//\n";
 }
 

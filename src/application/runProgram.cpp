@@ -42,8 +42,7 @@ int runProgram(const std::vector<std::string>& command, const fs::path& place, c
     for (auto& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-    if (file < 0)
-        throw UserError("cannot write \"" + log.string() + "\": " + std::strerror(errno), {log.string(), 0});
+    if (file < 0) throw UserError("cannot write \"" + log.string() + "\": " + std::strerror(errno), {log.string(), 0});
     const pid_t child = fork();
     if (child == 0) become(arguments, place, file);
     const int failure = errno;
@@ -55,8 +54,7 @@ int runProgram(const std::vector<std::string>& command, const fs::path& place, c
     for (int n = 1;; ++n) {
         const pid_t ended = waitpid(child, &status, WNOHANG);
         if (ended == child) break;
-        if (ended < 0 && errno != EINTR)
-            throw UserError("lost sight of " + command[0] + ": " + std::strerror(errno));
+        if (ended < 0 && errno != EINTR) throw UserError("lost sight of " + command[0] + ": " + std::strerror(errno));
         if (interrupted() && !handedOn) {
             kill(child, SIGTERM);
             handedOn = true;

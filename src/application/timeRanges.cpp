@@ -50,8 +50,7 @@ std::vector<TimeRange> parseTimeRanges(const std::string& text) {
 std::vector<TimeFolder> selectTimes(const Case& theCase, const Options& options) {
     const TimeFolders all = listTimes(theCase.root());
     for (const auto& folder : all.ignored)
-        std::cerr << "--> PFEM Warning : time folder " << folder.name << " is ignored: " << folder.reason
-                  << "\n";
+        std::cerr << "--> PFEM Warning : time folder " << folder.name << " is ignored: " << folder.reason << "\n";
     std::vector<TimeFolder> times = all.complete;
     if (options.found("time")) {
         const auto ranges = parseTimeRanges(options.get("time"));

@@ -44,14 +44,17 @@ std::string toString(const Location& where) {
     return where.line > 0 ? where.file + ":" + std::to_string(where.line) : where.file;
 }
 
-std::string notValid(const std::string& word, const std::string& what,
-                     const std::vector<std::string>& valid) {
+std::string notValid(const std::string& word, const std::string& what, const std::vector<std::string>& valid) {
     std::vector<std::string> sorted = valid;
     std::sort(sorted.begin(), sorted.end());
     std::string text = "Unknown " + what + " " + word;
     const std::string near = nearestWord(word, sorted);
     if (!near.empty()) text += " (did you mean '" + near + "'?)";
-    text += "\n\nValid " + what + (what.ends_with("ch") ? "es" : what.ends_with("s") ? "" : "s") + " :\n\n" + std::to_string(sorted.size()) + "\n(\n";
+    text += "\n\nValid " + what +
+            (what.ends_with("ch")  ? "es"
+             : what.ends_with("s") ? ""
+                                   : "s") +
+            " :\n\n" + std::to_string(sorted.size()) + "\n(\n";
     for (const auto& w : sorted) text += w + "\n";
     return text + ")";
 }

@@ -48,8 +48,7 @@ private:
 };
 
 /// "<word> is not a valid <what>.\nValid <what>s :\n3\n(\na\nb\nc\n)" with the nearest valid word as a hint.
-std::string notValid(const std::string& word, const std::string& what,
-                     const std::vector<std::string>& valid);
+std::string notValid(const std::string& word, const std::string& what, const std::vector<std::string>& valid);
 
 /// The word of `valid` that is nearest to `word` (Levenshtein distance at most a third of its length), or "".
 std::string nearestWord(const std::string& word, const std::vector<std::string>& valid);

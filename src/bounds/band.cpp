@@ -52,8 +52,7 @@ Band makeBand(const Study& study) {
         band.lower.push_back(std::min(n, e));
         band.upper.push_back(std::max(n, e));
         const double toNodal = n - restNodal, toElemental = e - restElemental;
-        const bool opposite =
-            toNodal * toElemental < 0 && std::min(std::abs(toNodal), std::abs(toElemental)) > slack;
+        const bool opposite = toNodal * toElemental < 0 && std::min(std::abs(toNodal), std::abs(toElemental)) > slack;
         Bracket b = Bracket::holds;
         if (std::isnan(n) || std::isnan(e))
             b = Bracket::missing;

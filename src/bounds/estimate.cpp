@@ -70,8 +70,7 @@ Estimate estimate(const Study& study, const Band& band) {
         for (const double other : {observed.nodal, observed.elemental, formal.nodal, formal.elemental})
             distance = std::max(distance, std::abs(other - u));
         if (n > 2)
-            distance =
-                std::max(distance, std::abs(limits(study.twins[n - 3], coarse, i, result.order).mean() - u));
+            distance = std::max(distance, std::abs(limits(study.twins[n - 3], coarse, i, result.order).mean() - u));
         result.value.push_back(u);
         result.uncertainty.push_back((n > 2 ? 1.25 : 3) * distance);
     }

@@ -25,8 +25,7 @@ std::vector<TimeFolder> startFolders(const fs::path& root, const std::string& fu
         const std::string name = entry.path().filename().string();
         if (const auto value = asNumber(name)) starts.push_back({name, *value});
     }
-    std::sort(starts.begin(), starts.end(),
-              [](const TimeFolder& a, const TimeFolder& b) { return a.value < b.value; });
+    std::sort(starts.begin(), starts.end(), [](const TimeFolder& a, const TimeFolder& b) { return a.value < b.value; });
     return starts;
 }
 
@@ -102,8 +101,7 @@ std::vector<History> emptyHistories(const Rows& rows, const std::string& file) {
 
 }  // namespace
 
-std::vector<History> readHistories(const fs::path& root, const std::string& function,
-                                   const std::string& file) {
+std::vector<History> readHistories(const fs::path& root, const std::string& function, const std::string& file) {
     std::vector<History> histories;
     const fs::path place = root / "postProcessing" / function;
     for (const auto& start : startFolders(root, function)) {

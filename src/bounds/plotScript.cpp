@@ -25,12 +25,10 @@ std::string faultBoxes(const Quantity& q) {
 std::string twinLines(const Quantity& q, std::size_t k) {
     const bool finest = k + 1 == q.study.twins.size();
     const auto line = [&](std::size_t column, const char* word, const char* strong, const char* pale) {
-        return fmt::format(
-            ", \\\n     data using 1:(v({})) with lines lw {} lc rgb \"{}\" title \"{}, h = {}\"", column,
-            finest ? "2" : "1.2 dt 2", finest ? strong : pale, word, q.study.twins[k].h);
+        return fmt::format(", \\\n     data using 1:(v({})) with lines lw {} lc rgb \"{}\" title \"{}, h = {}\"",
+                           column, finest ? "2" : "1.2 dt 2", finest ? strong : pale, word, q.study.twins[k].h);
     };
-    return line(8 + 2 * k, "nodal", "#4477aa", "#99bbdd") +
-           line(9 + 2 * k, "elemental", "#cc6677", "#ddaaaa");
+    return line(8 + 2 * k, "nodal", "#4477aa", "#99bbdd") + line(9 + 2 * k, "elemental", "#cc6677", "#ddaaaa");
 }
 
 }  // namespace
@@ -63,9 +61,8 @@ std::string plotScript(const Quantity& q) {
             "\"limit and uncertainty\", \\\n     data using 1:(v(6)) with lines lw 1.5 lc rgb \"#228833\" "
             "notitle";
     if (q.reference)
-        text += fmt::format(
-            ", \\\n     data using 1:(v({})) with lines lw 2 lc rgb \"black\" title \"reference\"",
-            8 + 2 * q.study.twins.size());
+        text += fmt::format(", \\\n     data using 1:(v({})) with lines lw 2 lc rgb \"black\" title \"reference\"",
+                            8 + 2 * q.study.twins.size());
     return text + "\n";
 }
 

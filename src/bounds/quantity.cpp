@@ -18,8 +18,7 @@ const Curve* find(const std::vector<History>& histories, const std::string& name
 }
 
 bool isConstant(const Curve& curve) {
-    return std::all_of(curve.y.begin(), curve.y.end(),
-                       [&](double y) { return y == curve.y.front() || std::isnan(y); });
+    return std::all_of(curve.y.begin(), curve.y.end(), [&](double y) { return y == curve.y.front() || std::isnan(y); });
 }
 
 /// The curve of every size, all nodal ones first; empty if one does not have it or all are constant.
@@ -73,8 +72,8 @@ void writeQuantity(const std::filesystem::path& folder, const Quantity& q, int p
     table.header(titles);
     const auto number = [&](double y) { return std::isnan(y) ? std::string("-") : table.number(y); };
     for (std::size_t i = 0; i < q.study.t.size(); ++i) {
-        std::vector<std::string> row{table.number(q.study.t[i]), number(q.band.lower[i]),
-                                     number(q.band.upper[i]), number(q.band.upper[i] - q.band.lower[i]),
+        std::vector<std::string> row{table.number(q.study.t[i]), number(q.band.lower[i]), number(q.band.upper[i]),
+                                     number(q.band.upper[i] - q.band.lower[i]),
                                      std::to_string(static_cast<int>(q.band.bracket[i]))};
         for (const auto* values : {&q.limit.value, &q.limit.uncertainty})
             row.push_back(values->empty() ? "-" : number((*values)[i]));

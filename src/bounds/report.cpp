@@ -63,8 +63,8 @@ std::string referenceText(const Quantity& q) {
         "time; inside to the last digit {:.1f} %\n",
         slack, 100 * c.inside, 100 * containment(q.study.t, q.band, *q.reference).inside);
     if (!c.outside.empty())
-        text += fmt::format("    outside by at most {:.3g} at {:.4g} s: {}\n", c.farthest, c.when,
-                            spansText(c.outside));
+        text +=
+            fmt::format("    outside by at most {:.3g} at {:.4g} s: {}\n", c.farthest, c.when, spansText(c.outside));
     return text;
 }
 
@@ -90,15 +90,15 @@ std::string reportOf(const Quantity& q) {
     const Twin& fine = q.study.twins.back();
     const Width width = widthOf(q.study, q.band);
     const double holds = fractionWhere(q.study.t, q.band.where(Bracket::holds));
-    std::string text = fmt::format("{}, mesh size {}, {:.4g} - {:.4g} s\n", q.name, fine.h, q.study.t.front(),
-                                   q.study.t.back());
+    std::string text =
+        fmt::format("{}, mesh size {}, {:.4g} - {:.4g} s\n", q.name, fine.h, q.study.t.front(), q.study.t.back());
     text += fmt::format(
         "    nodal and elemental bracket for {:.1f} % of the time; nearer to each other than 1/1000 of the "
         "range "
         "for {:.1f} %\n",
         100 * holds, 100 * fractionWhere(q.study.t, q.band.where(Bracket::none)));
-    text += fault(q, Bracket::reversed,
-                  "the nodal curve is not the one farther from the start: the curves have crossed");
+    text +=
+        fault(q, Bracket::reversed, "the nodal curve is not the one farther from the start: the curves have crossed");
     text += fault(q, Bracket::leaves, "the band leaves the one of the coarser mesh: too coarse");
     text += fault(q, Bracket::missing, "a curve has no value");
     if (const auto times = crossings(q.study, q.band); !times.empty())
@@ -108,10 +108,10 @@ std::string reportOf(const Quantity& q) {
             times.size(), times.front());
     text += "    farthest from the start: " + peakText(q, fine.nodal, "nodal") + ", " +
             peakText(q, fine.elemental, "elemental") + "\n";
-    text += fmt::format(
-        "    width: mean {:.3g}, largest {:.3g} at {:.4g} s; mean {:.0f} % of the range of the curves{}\n",
-        width.mean, width.largest, width.when, q.band.range > 0 ? 100 * width.mean / q.band.range : 0,
-        width.mean > wide * q.band.range ? ": TOO COARSE to say much" : "");
+    text +=
+        fmt::format("    width: mean {:.3g}, largest {:.3g} at {:.4g} s; mean {:.0f} % of the range of the curves{}\n",
+                    width.mean, width.largest, width.when, q.band.range > 0 ? 100 * width.mean / q.band.range : 0,
+                    width.mean > wide * q.band.range ? ": TOO COARSE to say much" : "");
     return text + estimateText(q) + referenceText(q);
 }
 

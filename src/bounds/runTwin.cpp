@@ -20,8 +20,7 @@ void runIn(const TwinCase& twin, const std::vector<std::string>& command, std::o
     });
     if (interrupted()) throw UserError("stopped; the same command goes on from here");
     if (code != 0)
-        throw UserError(
-            fmt::format("{} has failed with exit code {}: see \"{}\"", command[0], code, log.string()));
+        throw UserError(fmt::format("{} has failed with exit code {}: see \"{}\"", command[0], code, log.string()));
 }
 
 }  // namespace
@@ -32,8 +31,7 @@ void runTwin(const TwinCase& twin, std::ostream& out) {
         out << fmt::format("{}: finished\n", twin.name()) << std::flush;
         return;
     }
-    out << fmt::format("{}: from {} to {} s\n", twin.name(), before.latest.value_or(0), before.endTime)
-        << std::flush;
+    out << fmt::format("{}: from {} to {} s\n", twin.name(), before.latest.value_or(0), before.endTime) << std::flush;
     if (!before.latest) runIn(twin, {siblingProgram("pfemMesh"), "-h", fmt::format("{}", twin.h)}, out);
     runIn(twin, {siblingProgram("pfemFsiFoam")}, out);
     if (!reachedTime(twin.root).finished())

@@ -36,9 +36,8 @@ std::string changesOf(const TwinCase& twin, const fs::path& file, std::optional<
 }
 
 bool isDictionary(const fs::path& file) {
-    static const std::set<std::string> names{
-        "constant/materials",  "constant/g",      "constant/boundaryConditions",
-        "system/pfemSolution", "system/meshDict", "system/controlDict"};
+    static const std::set<std::string> names{"constant/materials",  "constant/g",      "constant/boundaryConditions",
+                                             "system/pfemSolution", "system/meshDict", "system/controlDict"};
     return names.contains(file.string());
 }
 
@@ -56,16 +55,13 @@ std::vector<fs::path> filesOf(const fs::path& root) {
 void write(const fs::path& file, const std::string& text) {
     std::error_code error;
     fs::create_directories(file.parent_path(), error);
-    if (error)
-        throw UserError("cannot make the folder: " + error.message(), {file.parent_path().string(), 0});
+    if (error) throw UserError("cannot make the folder: " + error.message(), {file.parent_path().string(), 0});
     writeAtomically(file, text);
 }
 
 }  // namespace
 
-std::string TwinCase::name() const {
-    return fmt::format("{}-{}", integration, h);
-}
+std::string TwinCase::name() const { return fmt::format("{}-{}", integration, h); }
 
 std::vector<TwinCase> twinCases(const Case& theCase, const std::string& folder, std::vector<double> sizes) {
     std::sort(sizes.rbegin(), sizes.rend());
@@ -73,8 +69,7 @@ std::vector<TwinCase> twinCases(const Case& theCase, const std::string& folder, 
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         if (!(sizes[i] > 0)) throw UserError(fmt::format("the mesh size {} is not positive", sizes[i]));
         if (i > 0 && sizes[i] > 0.99 * sizes[i - 1])
-            throw UserError(
-                fmt::format("the mesh sizes {} and {} are hardly different", sizes[i - 1], sizes[i]));
+            throw UserError(fmt::format("the mesh sizes {} and {} are hardly different", sizes[i - 1], sizes[i]));
         for (const char* integration : {"nodal", "elemental"}) {
             TwinCase twin{integration, sizes[i], {}};
             twin.root = theCase.root() / folder / twin.name();
@@ -97,30 +92,24 @@ std::vector<double> sizesIn(const fs::path& folder) {
     return sizes;
 }
 
-double meshSizeOf(const Case& theCase) {
-    return Dictionary::read(theCase.system("meshDict")).get<double>("meshSize");
-}
+double meshSizeOf(const Case& theCase) { return Dictionary::read(theCase.system("meshDict")).get<double>("meshSize"); }
 
 void prepareTwin(const Case& theCase, const TwinCase& twin, std::optional<double> endTime, bool overwrite) {
     if (overwrite) fs::remove_all(twin.root);
     const bool hasResults = !listTimes(twin.root).complete.empty();
     for (const auto& file : filesOf(theCase.root())) {
-        const std::string text = isDictionary(file)
-                                     ? resolved(theCase.root() / file, changesOf(twin, file, endTime))
-                                     : readText(theCase.root() / file);
+        const std::string text = isDictionary(file) ? resolved(theCase.root() / file, changesOf(twin, file, endTime))
+                                                    : readText(theCase.root() / file);
         const fs::path copy = twin.root / file;
         const bool same = fs::exists(copy) && readText(copy) == text;
         if (hasResults && !same && file != "system/controlDict")
-            throw UserError(
-                fmt::format("\"{}\" has results of another \"{}\": remove that folder, or use -overwrite",
-                            twin.root.string(), file.string()));
+            throw UserError(fmt::format("\"{}\" has results of another \"{}\": remove that folder, or use -overwrite",
+                                        twin.root.string(), file.string()));
         if (!same) write(copy, text);
     }
 }
 
-bool Reached::finished() const {
-    return latest && *latest >= endTime * (1 - 1e-9);
-}
+bool Reached::finished() const { return latest && *latest >= endTime * (1 - 1e-9); }
 
 Reached reachedTime(const fs::path& root) {
     Reached reached;

@@ -12,8 +12,6 @@ Case::Case(const std::filesystem::path& root, const std::string& program) {
     if (error) throw UserError(program + ": cannot open case directory \"" + root.string() + "\"");
 }
 
-std::string Case::name() const {
-    return root_.filename().string();
-}
+std::string Case::name() const { return root_.filename().string(); }
 
 }  // namespace pfem

@@ -6,9 +6,7 @@ namespace pfem {
 
 namespace {
 volatile sig_atomic_t flag = 0;
-extern "C" void setFlag(int number) {
-    flag = number;
-}
+extern "C" void setFlag(int number) { flag = number; }
 }  // namespace
 
 void catchInterrupts() {
@@ -24,21 +22,21 @@ void catchInterrupts() {
     signal(SIGPIPE, SIG_IGN);
 }
 
-int interrupted() {
-    return flag;
-}
+int interrupted() { return flag; }
 
 const char* signalName(int number) {
     switch (number) {
-        case SIGINT: return "SIGINT";
-        case SIGTERM: return "SIGTERM";
-        case SIGHUP: return "SIGHUP";
-        default: return "a signal";
+        case SIGINT:
+            return "SIGINT";
+        case SIGTERM:
+            return "SIGTERM";
+        case SIGHUP:
+            return "SIGHUP";
+        default:
+            return "a signal";
     }
 }
 
-void clearInterrupt() {
-    flag = 0;
-}
+void clearInterrupt() { flag = 0; }
 
 }  // namespace pfem

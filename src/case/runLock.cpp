@@ -37,7 +37,8 @@ std::string contentOf(int descriptor) {
 
 /// Is the open file still the one that has this name? The holder removes it at its end.
 bool isNamed(int descriptor, const std::filesystem::path& file) {
-    struct stat opened {}, named {};
+    struct stat opened {
+    }, named{};
     return fstat(descriptor, &opened) == 0 && stat(file.c_str(), &named) == 0 && opened.st_ino == named.st_ino &&
            opened.st_dev == named.st_dev;
 }
@@ -86,7 +87,8 @@ RunLock::RunLock(const std::filesystem::path& root, const std::string& program) 
 
 RunLock::~RunLock() {
     if (folder_ >= 0) close(folder_);  // first: nobody who makes a new file then finds it held
-    if (isNamed(descriptor_, file_)) unlink(file_.c_str());  // before the lock goes: who opens it now finds its name gone
+    if (isNamed(descriptor_, file_))
+        unlink(file_.c_str());  // before the lock goes: who opens it now finds its name gone
     close(descriptor_);
 }
 

@@ -25,11 +25,9 @@ std::string chooseStart(const Case& theCase, const ControlDict& controls) {
     std::string ignored;
     for (const auto& folder : times.ignored) ignored += "\n    ignored " + folder.name + ": " + folder.reason;
     for (const auto& folder : times.ignored)
-        std::cerr << "--> PFEM Warning : time folder " << folder.name << " is ignored: " << folder.reason
-                  << "\n";
+        std::cerr << "--> PFEM Warning : time folder " << folder.name << " is ignored: " << folder.reason << "\n";
     if (times.complete.empty())
-        throw UserError("no time folder in case \"" + theCase.root().string() + "\": run pfemMesh first" +
-                        ignored);
+        throw UserError("no time folder in case \"" + theCase.root().string() + "\": run pfemMesh first" + ignored);
     if (controls.startFrom == "firstTime") return times.complete.front().name;
     if (controls.startFrom == "latestTime") return times.complete.back().name;
     std::string known;
@@ -38,9 +36,8 @@ std::string chooseStart(const Case& theCase, const ControlDict& controls) {
             return folder.name;
         known += " " + folder.name;
     }
-    throw UserError(
-        "no time folder for startTime " + timeName(controls.startTime) + "; there are:" + known + ignored,
-        {theCase.controlDict().string(), 0});
+    throw UserError("no time folder for startTime " + timeName(controls.startTime) + "; there are:" + known + ignored,
+                    {theCase.controlDict().string(), 0});
 }
 
 /// Times after the start are of an earlier run, and would be mixed with those of this one.
@@ -50,8 +47,8 @@ void warnOfLaterTimes(const Case& theCase, const std::string& start) {
     if (times.empty()) return;
     std::cerr << "--> PFEM Warning : after the start at " << start << " there are " << times.size()
               << " times of an earlier run, " << times.front().name << " to " << times.back().name
-              << ". Each stays until this run writes a time of that name; 'pfemListTimes -rm -time " << times.front().name
-              << ":' removes them\n";
+              << ". Each stays until this run writes a time of that name; 'pfemListTimes -rm -time "
+              << times.front().name << ":' removes them\n";
 }
 
 fs::file_time_type modificationTime(const fs::path& file) {
@@ -81,14 +78,12 @@ TimeControl::TimeControl(const Case& theCase)
     warnOfLaterTimes(theCase, startName_);
     stop_ = controls_.stopAt == "writeNow" || controls_.stopAt == "noWriteNow";
     if (stop_)
-        std::cerr << "--> PFEM Warning : nothing to do: 'stopAt " << controls_.stopAt << "' in "
-                  << file_.string() << "\n";
+        std::cerr << "--> PFEM Warning : nothing to do: 'stopAt " << controls_.stopAt << "' in " << file_.string()
+                  << "\n";
 }
 
 /// Steps of one length, counted from 0: neither by the flow nor by the write times.
-bool TimeControl::fixed() const {
-    return !controls_.adjustTimeStep && !write_.adjustable();
-}
+bool TimeControl::fixed() const { return !controls_.adjustTimeStep && !write_.adjustable(); }
 
 /// The longest step that the limits of controlDict allow.
 double TimeControl::longest(const TimeInfo& time, const StepRates& rates) const {
@@ -106,8 +101,8 @@ double TimeControl::longest(const TimeInfo& time, const StepRates& rates) const 
     return dt;
 }
 
-/// The next time that a step of length dt must not jump over. A fixed step that was cut (rejected, or by an end of the run)
-/// is made up for: the next time is a multiple of deltaT again.
+/// The next time that a step of length dt must not jump over. A fixed step that was cut (rejected, or by an end of the
+/// run) is made up for: the next time is a multiple of deltaT again.
 double TimeControl::target(const TimeInfo& time, double dt) const {
     constexpr double never = std::numeric_limits<double>::infinity();
     const double end = time.value < controls_.endTime ? controls_.endTime : never;
@@ -124,9 +119,7 @@ bool TimeControl::ended(const TimeInfo& time) const {
     return time.value >= controls_.endTime - sameTime * longest(time, {});
 }
 
-bool TimeControl::running(const TimeInfo& time) const {
-    return !stop_ && !ended(time);
-}
+bool TimeControl::running(const TimeInfo& time) const { return !stop_ && !ended(time); }
 
 double TimeControl::deltaT(const TimeInfo& time, const StepRates& rates) const {
     const double dt = longest(time, rates);
@@ -178,7 +171,8 @@ void TimeControl::readAgainIfChanged() {
         const std::string changes = differences(flatEntries(dict_), flatEntries(dict));
         std::cout << "Re-reading " << file_.string() << "\n" << changes;
         for (const std::string key : {"functions", "startFrom", "startTime", "writePrecision", "libs"})
-            if (changes.find("    " + key) != std::string::npos) std::cout << "    (" << key << ": from the next start on)\n";
+            if (changes.find("    " + key) != std::string::npos)
+                std::cout << "    (" << key << ": from the next start on)\n";
         controls_ = controls;
         dict_ = std::move(dict);
         readAt_.merge(modificationTimes(dict_));

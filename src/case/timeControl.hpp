@@ -14,7 +14,8 @@
 
 namespace pfem {
 
-/// What the state says about the next step: rates whose product with it is limited [1/s]; 0 where there is nothing to limit.
+/// What the state says about the next step: rates whose product with it is limited [1/s]; 0 where there is nothing to
+/// limit.
 struct StepRates {
     double courant = 0;      // largest |v|/h of the mesh: maxCo
     double relative = 0;     // that of neighbours to each other: maxRelativeCo
@@ -44,17 +45,17 @@ public:
     /// Nothing is left until endTime.
     bool ended(const TimeInfo& time) const;
 
-    /// Length of the step that comes after `time` [s]. Fixed steps (adjustTimeStep no) are as long as deltaT, whatever the step
-    /// before was; others are limited by `rates`, maxDeltaT and maxGrowth times the last one. Fitted so that the next write with
-    /// writeControl adjustable, and endTime, are met exactly.
+    /// Length of the step that comes after `time` [s]. Fixed steps (adjustTimeStep no) are as long as deltaT, whatever
+    /// the step before was; others are limited by `rates`, maxDeltaT and maxGrowth times the last one. Fitted so that
+    /// the next write with writeControl adjustable, and endTime, are met exactly.
     double deltaT(const TimeInfo& time, const StepRates& rates = {}) const;
 
     /// The time after a step of length dt from `time`: rounded to the write time, the end time or a multiple
     /// of deltaT when it means one of them.
     TimeInfo advance(const TimeInfo& time, double dt) const;
 
-    /// Is a folder due at `time`, counting every n-th only, or is this the end? Unlike writeDue() this depends on `time` and
-    /// the controls alone, not on signals and stopAt.
+    /// Is a folder due at `time`, counting every n-th only, or is this the end? Unlike writeDue() this depends on
+    /// `time` and the controls alone, not on signals and stopAt.
     bool folderDue(const TimeInfo& time, int n = 1) const { return write_.every(n).due(time) || ended(time); }
 
     /// Is the state to be written at `time`? Also looks at signals and at a changed controlDict: ask once a
@@ -66,7 +67,8 @@ public:
     std::string name(const TimeInfo& time) const;
     std::filesystem::path folder(const TimeInfo& time) const { return root_ / name(time); }
 
-    /// Tell that the folder of `time` is written: removes the oldest folder of this run beyond purgeWrite. Was there one?
+    /// Tell that the folder of `time` is written: removes the oldest folder of this run beyond purgeWrite. Was there
+    /// one?
     bool written(const TimeInfo& time);
 
 private:
@@ -76,7 +78,8 @@ private:
     double target(const TimeInfo& time, double dt) const;
 
     std::filesystem::path root_, file_;
-    std::map<std::string, std::filesystem::file_time_type> readAt_;  // controlDict and what it includes: when last changed
+    std::map<std::string, std::filesystem::file_time_type>
+        readAt_;  // controlDict and what it includes: when last changed
     Dictionary dict_;
     ControlDict controls_;
     WriteControl write_;

@@ -49,9 +49,8 @@ TimeFolders listTimes(const fs::path& root) {
     std::sort(found.complete.begin(), found.complete.end(), [](const TimeFolder& a, const TimeFolder& b) {
         return a.value != b.value ? a.value < b.value : a.name < b.name;
     });
-    std::sort(found.ignored.begin(), found.ignored.end(), [](const IgnoredFolder& a, const IgnoredFolder& b) {
-        return *asNumber(a.name) < *asNumber(b.name);
-    });
+    std::sort(found.ignored.begin(), found.ignored.end(),
+              [](const IgnoredFolder& a, const IgnoredFolder& b) { return *asNumber(a.name) < *asNumber(b.name); });
     return found;
 }
 

@@ -28,10 +28,12 @@ std::vector<std::string> clearUnfinished(const fs::path& root) {
         const std::string replaced = timeOf(name, ".tmp.old"), time = timeOf(name, ".tmp");
         if (!replaced.empty() && !fs::exists(root / replaced, error)) {
             fs::rename(root / name, root / replaced, error);
-            if (!error) done.push_back("time folder " + replaced + " is put back: it was being replaced when a run ended");
+            if (!error)
+                done.push_back("time folder " + replaced + " is put back: it was being replaced when a run ended");
         } else if (!replaced.empty() || !time.empty()) {
             fs::remove_all(root / name, error);
-            done.push_back("the unfinished folder " + name + " is removed: a run ended while it wrote or removed time " +
+            done.push_back("the unfinished folder " + name +
+                           " is removed: a run ended while it wrote or removed time " +
                            (replaced.empty() ? time : replaced));
         }
     }

@@ -25,8 +25,7 @@ double asWritten(double time) {
 }
 
 const std::vector<std::string>& WriteControl::modes() {
-    static const std::vector<std::string> words{"timeStep", "runTime", "adjustable", "adjustableRunTime",
-                                                "none"};
+    static const std::vector<std::string> words{"timeStep", "runTime", "adjustable", "adjustableRunTime", "none"};
     return words;
 }
 

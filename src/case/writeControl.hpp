@@ -8,8 +8,8 @@
 
 namespace pfem {
 
-/// The number that a user would write: 188 times 0.005 is 0.94, as in `endTime 0.94`, not 0.9400000000000001. Otherwise a
-/// run that ends there and goes on later would differ from an unbroken one in the last bit.
+/// The number that a user would write: 188 times 0.005 is 0.94, as in `endTime 0.94`, not 0.9400000000000001. Otherwise
+/// a run that ends there and goes on later would differ from an unbroken one in the last bit.
 double asWritten(double time);
 
 class WriteControl {

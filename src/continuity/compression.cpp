@@ -13,14 +13,15 @@ std::vector<double> compressedVolume(const Problem<Dim>& problem, const Cells<Di
         double compressibility = 0;  // Omega_I/kappa
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
             const int e = around.cell[s];
-            compressibility += simplexMeasure<Dim>(now.x, cells.nodes[e]) / ((Dim + 1) * problem.fluid(cells.material[e]).kappa);
+            compressibility +=
+                simplexMeasure<Dim>(now.x, cells.nodes[e]) / ((Dim + 1) * problem.fluid(cells.material[e]).kappa);
         }
         change[i] = -compressibility * (now.p[i] - pOld[i]);
     });
     return change;
 }
 
-template std::vector<double> compressedVolume<2>(const Problem<2>&, const Cells<2>&, const NodeToCells&, const Nodes<2>&,
-                                                 const std::vector<double>&);
+template std::vector<double> compressedVolume<2>(const Problem<2>&, const Cells<2>&, const NodeToCells&,
+                                                 const Nodes<2>&, const std::vector<double>&);
 
 }  // namespace pfem

@@ -77,9 +77,9 @@ std::vector<int> columnStarts(const NodeToNodes& ring, const Unknowns& u, const 
 template <int Dim>
 struct PressureColumn {
     std::vector<int> node;
-    std::vector<double> K;       // laplacian and compressibility
-    std::vector<Vec<Dim>> B;     // Omega_I G_IJ
-    std::vector<int> at;         // per node of the mesh: its index in `node`, of the present column
+    std::vector<double> K;    // laplacian and compressibility
+    std::vector<Vec<Dim>> B;  // Omega_I G_IJ
+    std::vector<int> at;      // per node of the mesh: its index in `node`, of the present column
 
     void begin(int i, const NodeToNodes& ring) {
         node.assign(ring.node.begin() + ring.start[i], ring.node.begin() + ring.start[i + 1]);
@@ -146,7 +146,8 @@ void addCells(SymmetricMatrix& A, const Problem<Dim>& problem, const ContinuityC
 }
 
 /// -A/c of the solids.
-void addSolid(SymmetricMatrix& A, const ContinuityControls& controls, const Unknowns& u, const SymmetricMatrix& solid, const Newmark& newmark) {
+void addSolid(SymmetricMatrix& A, const ContinuityControls& controls, const Unknowns& u, const SymmetricMatrix& solid,
+              const Newmark& newmark) {
     // without compliance the solid block stays, decoupled: divide by a tiny number instead of zero
     const double scale = newmark.gamma / std::max(controls.complianceScale, 1e-12);
     for (int j = 0; j < solid.n; ++j)
@@ -161,8 +162,8 @@ void addSolid(SymmetricMatrix& A, const ContinuityControls& controls, const Unkn
 template <int Dim>
 void addFreeSurface(SymmetricMatrix& A, const Problem<Dim>& problem, const ContinuityControls& controls,
                     const Cells<Dim>& cells, const Topology<Dim>& topology, const Patches<Dim>& patches,
-                    const std::vector<double>& mu, const Stabilisation& stabilisation, const Points<Dim>& x, const Unknowns& u,
-                    const Newmark& newmark) {
+                    const std::vector<double>& mu, const Stabilisation& stabilisation, const Points<Dim>& x,
+                    const Unknowns& u, const Newmark& newmark) {
     const auto& [tau, projected] = stabilisation;
     for (const auto& face : topology.faces) {
         if (face.kind != FaceKind::freeSurface) continue;
@@ -171,8 +172,7 @@ void addFreeSurface(SymmetricMatrix& A, const Problem<Dim>& problem, const Conti
         const double tauN = surfaceStabilisation<Dim>(tau[face.cell], mu[face.cell], cell, measure);
         for (int node : face.nodes)
             if (u.pressure[node] >= 0 && !projected[face.cell])
-                A.value[A.start[u.pressure[node]]] +=
-                    controls.freeSurfaceWeight * tauN * twoOverH * measure / Dim;
+                A.value[A.start[u.pressure[node]]] += controls.freeSurfaceWeight * tauN * twoOverH * measure / Dim;
     }
     const double scale = newmark.gamma / std::max(controls.freeSurfaceScale, 1e-12);
     const auto stiffness = surfaceStiffness<Dim>(problem, cells, topology, x, newmark);
@@ -228,8 +228,8 @@ template <int Dim>
 ContinuitySystem<Dim>::ContinuitySystem(const Problem<Dim>& problem, const ContinuityControls& controls,
                                         const Cells<Dim>& cells, const Topology<Dim>& topology,
                                         const NodeConstraints<Dim>& constraints, const Patches<Dim>& patches,
-                                        const std::vector<double>& mu, const Stabilisation& stabilisation, const Points<Dim>& x,
-                                        const SolidDofs<Dim>& dofs, const SymmetricMatrix& solid,
+                                        const std::vector<double>& mu, const Stabilisation& stabilisation,
+                                        const Points<Dim>& x, const SolidDofs<Dim>& dofs, const SymmetricMatrix& solid,
                                         const Newmark& newmark) {
     const bool strong = controls.freeSurfacePressure == "strong";
     const Unknowns u = numberUnknowns<Dim>(topology, constraints, strong, solid.n);
@@ -249,7 +249,9 @@ ContinuitySystem<Dim>::ContinuitySystem(const Problem<Dim>& problem, const Conti
     const int parts = nParts(u.n);
     const auto place = placesOfUnknowns<Dim>(x, u, dofs);
     if (controls.factorPrecision == "double") factor_.emplace<DissectedLdlt<double>>();
-    std::visit([&](auto& factor) { factor.template factorize<Dim>(A, place, partsOfUnknowns<Dim>(A, place, parts), parts); }, factor_);
+    std::visit(
+        [&](auto& factor) { factor.template factorize<Dim>(A, place, partsOfUnknowns<Dim>(A, place, parts), parts); },
+        factor_);
 }
 
 template <int Dim>

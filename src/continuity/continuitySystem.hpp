@@ -16,10 +16,10 @@ namespace pfem {
 ///     [ K_p   B    ]    K_p = Omega/(kappa dt) + (tau + s/(rho m)) L + w tau_n M_G
 ///     [ B^T  -A/c  ]    B_IJ = Omega_I G_IJ between pressures and boundary velocities
 ///
-/// with mu and tau per cell, m = da/dv of the time integration, s = schurScale, w = freeSurfaceWeight, and c = complianceScale at solids,
-/// freeSurfaceScale at the surface. Inside the fluid 1/(rho m) L bounds the exact Schur complement
-/// B (m M)^{-1} B^T of the nodal integration from above, whatever the mesh; on its moving boundary it does not.
-/// There the velocities are unknowns of the matrix: A is the momentum matrix of the solids at elastic interfaces
+/// with mu and tau per cell, m = da/dv of the time integration, s = schurScale, w = freeSurfaceWeight, and c =
+/// complianceScale at solids, freeSurfaceScale at the surface. Inside the fluid 1/(rho m) L bounds the exact Schur
+/// complement B (m M)^{-1} B^T of the nodal integration from above, whatever the mesh; on its moving boundary it does
+/// not. There the velocities are unknowns of the matrix: A is the momentum matrix of the solids at elastic interfaces
 /// and the lumped mass at the free surface. Eliminating them adds c B A^{-1} B^T: what the boundary yields under
 /// pressure. c > 1 covers the accelerations in the stabilisation's face terms. All of it, and the precision
 /// in which the factor is kept, shapes the path of the iteration, not what it converges to.
@@ -28,8 +28,9 @@ class ContinuitySystem {
 public:
     ContinuitySystem(const Problem<Dim>& problem, const ContinuityControls& controls, const Cells<Dim>& cells,
                      const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,
-                     const Patches<Dim>& patches, const std::vector<double>& mu, const Stabilisation& stabilisation, const Points<Dim>& x,
-                     const SolidDofs<Dim>& solidDofs, const SymmetricMatrix& solidMatrix, const Newmark& newmark);
+                     const Patches<Dim>& patches, const std::vector<double>& mu, const Stabilisation& stabilisation,
+                     const Points<Dim>& x, const SolidDofs<Dim>& solidDofs, const SymmetricMatrix& solidMatrix,
+                     const Newmark& newmark);
 
     /// dp of all nodes for the right-hand side -R_c; zero outside the fluid.
     std::vector<double> solve(const std::vector<double>& residual) const;

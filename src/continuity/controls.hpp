@@ -25,7 +25,9 @@ struct ContinuityControls {
     void entries(Visitor& v) {
         v("schurScale", schurScale, "-", "factor of the Schur term dt/rho L in the pressure matrix", nonNegative);
         v("viscousScale", viscousScale, "-",
-          "factor of mu div v in the change of pressure, where viscosity is in the momentum matrix (viscousLimit); a third of it at the free surface", nonNegative);
+          "factor of mu div v in the change of pressure, where viscosity is in the momentum matrix (viscousLimit); a "
+          "third of it at the free surface",
+          nonNegative);
         v("complianceScale", complianceScale, "-",
           "factor of the elastic interface's compliance B A_s^-1 B^T in the pressure matrix", nonNegative);
         v("freeSurfaceScale", freeSurfaceScale, "-",
@@ -34,16 +36,20 @@ struct ContinuityControls {
         v("freeSurfacePressure", freeSurfacePressure, "-", "how p = 0 is imposed at the free surface",
           oneOf({"weak", "strong"}));
         v("factorPrecision", factorPrecision, "-",
-          "in which the factor of the pressure matrix is kept; single takes less time, the iteration corrects what it lacks",
+          "in which the factor of the pressure matrix is kept; single takes less time, the iteration corrects what it "
+          "lacks",
           oneOf({"single", "double"}));
         v("stabilisation", stabilisation, "-",
-          "projection: grad p less its projection to the nodes, so that no wave near rest grows; inertia: the full residual "
-          "grad p - rho (g - dv/dt), with which short waves grow; bodyForce: grad p - rho g with accelerations on faces (the paper)",
+          "projection: grad p less its projection to the nodes, so that no wave near rest grows; inertia: the full "
+          "residual "
+          "grad p - rho (g - dv/dt), with which short waves grow; bodyForce: grad p - rho g with accelerations on "
+          "faces (the paper)",
           oneOf({"projection", "inertia", "bodyForce"}));
         v("interfaceAcceleration", interfaceAcceleration, "-",
           "with bodyForce: moving solids and walls enter the stabilisation with their normal acceleration", any);
         v("volumeReturnTime", volumeReturnTime, "s",
-          "time scale of a local correction: what the surface's shift (remeshing) has not returned comes back through the "
+          "time scale of a local correction: what the surface's shift (remeshing) has not returned comes back through "
+          "the "
           "continuity equation, in no less than four steps; 0 = none",
           nonNegative);
         v("volumeCorrectionTime", volumeCorrectionTime, "s",

@@ -45,9 +45,11 @@ CellTerms<Dim> cellTerms(const Problem<Dim>& problem, const Cells<Dim>& cells, c
     return t;
 }
 
-/// flux_e -= |e| tau_e times the mean over the cell's nodes of the tau-weighted mean of flux/(|e| tau) around each node.
+/// flux_e -= |e| tau_e times the mean over the cell's nodes of the tau-weighted mean of flux/(|e| tau) around each
+/// node.
 template <int Dim>
-void subtractProjection(const Patches<Dim>& patches, const NodeToCells& around, const std::vector<double>& tau, const std::vector<unsigned char>& projected, std::vector<Vec<Dim>>& flux) {
+void subtractProjection(const Patches<Dim>& patches, const NodeToCells& around, const std::vector<double>& tau,
+                        const std::vector<unsigned char>& projected, std::vector<Vec<Dim>>& flux) {
     Points<Dim> mean(patches.nNodes(), Vec<Dim>::Zero());
     forEach(patches.nNodes(), [&](int i) {
         double weight = 0;
@@ -88,8 +90,8 @@ template <int Dim>
 std::vector<double> continuityResidual(const Problem<Dim>& problem, const ContinuityControls& controls,
                                        const Cells<Dim>& cells, const Topology<Dim>& topology,
                                        const Patches<Dim>& patches, const std::vector<double>& mu,
-                                       const Stabilisation& stabilisation, const Nodes<Dim>& trial, const Nodes<Dim>& middle,
-                                       const Nodes<Dim>& old, double dt, double divTarget) {
+                                       const Stabilisation& stabilisation, const Nodes<Dim>& trial,
+                                       const Nodes<Dim>& middle, const Nodes<Dim>& old, double dt, double divTarget) {
     const bool inertia = controls.stabilisation != "bodyForce";
     const bool projection = controls.stabilisation == "projection";
     const auto& [tau, projected] = stabilisation;
@@ -121,23 +123,23 @@ std::vector<double> continuityResidual(const Problem<Dim>& problem, const Contin
         if (measure == 0) continue;
         const Vec<Dim> n = area / measure;
         if (!inertia)
-            for (int node : face.nodes)
-                R[node] += tauFaces * measure / Dim * fluid.rho * middle.a[node].dot(n);
+            for (int node : face.nodes) R[node] += tauFaces * measure / Dim * fluid.rho * middle.a[node].dot(n);
         if (!free || projected[face.cell]) continue;
 
         const double twoOverH = 2 * measure / (Dim * g.measure);
         Vec<Dim> dn = Vec<Dim>::Zero();  // L n of the cell
         for (int k = 0; k <= Dim; ++k) dn += middle.v[cells.nodes[face.cell][k]] * g.gradN[k].dot(n);
         const double viscous = 2 * mu[face.cell] * dn.dot(n);
-        const double weight = surfaceStabilisation<Dim>(tau[face.cell], mu[face.cell], g.measure, measure) * measure / Dim;
+        const double weight =
+            surfaceStabilisation<Dim>(tau[face.cell], mu[face.cell], g.measure, measure) * measure / Dim;
         for (int node : face.nodes) R[node] += weight * twoOverH * (middle.p[node] - viscous);
     }
     return R;
 }
 
-template std::vector<double> continuityResidual<2>(const Problem<2>&, const ContinuityControls&,
-                                                   const Cells<2>&, const Topology<2>&, const Patches<2>&,
-                                                   const std::vector<double>&, const Stabilisation&,
-                                                   const Nodes<2>&, const Nodes<2>&, const Nodes<2>&, double, double);
+template std::vector<double> continuityResidual<2>(const Problem<2>&, const ContinuityControls&, const Cells<2>&,
+                                                   const Topology<2>&, const Patches<2>&, const std::vector<double>&,
+                                                   const Stabilisation&, const Nodes<2>&, const Nodes<2>&,
+                                                   const Nodes<2>&, double, double);
 
 }  // namespace pfem

@@ -23,8 +23,7 @@ bool Parser::condition(Lexer& lexer, const NodePtr& scope, const Token& token) {
         return TokenReader(nullptr, tokens, "#if", token.where()).read<bool>();
     }
     std::string text = tokens.size() == 1 ? tokens[0].text : expandString(line, *scope, token.where(), true);
-    if (tokens.size() == 1 && tokens[0].isString())
-        text = expandString(tokens[0].text, *scope, token.where(), true);
+    if (tokens.size() == 1 && tokens[0].isString()) text = expandString(tokens[0].text, *scope, token.where(), true);
     return evaluateScalar(text, token.where()) != 0;
 }
 

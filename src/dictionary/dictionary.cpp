@@ -25,15 +25,9 @@ Dictionary Dictionary::parse(const std::string& text, const std::string& name) {
 Dictionary::Dictionary() : node_(makeNode(nullptr, "", {})) {}
 Dictionary::Dictionary(std::shared_ptr<DictionaryNode> node) : node_(std::move(node)) {}
 
-const std::string& Dictionary::name() const {
-    return node_->name;
-}
-std::string Dictionary::keyword() const {
-    return node_->keyword;
-}
-Location Dictionary::where() const {
-    return node_->where;
-}
+const std::string& Dictionary::name() const { return node_->name; }
+std::string Dictionary::keyword() const { return node_->keyword; }
+Location Dictionary::where() const { return node_->where; }
 
 Location Dictionary::where(const std::string& key) const {
     const DictionaryEntry* entry = node_->find(key);
@@ -69,8 +63,7 @@ const Token* swallowedKey(const DictionaryNode& node, const std::string& key) {
             if (token.is('(') || token.is('{')) ++depth;
             if (token.is(')') || token.is('}')) --depth;
             const bool first = &token == &entry.tokens.front();
-            if (depth == 0 && !first && token.firstOnLine && token.isWord() && token.text == key)
-                return &token;
+            if (depth == 0 && !first && token.firstOnLine && token.isWord() && token.text == key) return &token;
         }
     }
     return nullptr;
@@ -107,8 +100,7 @@ DictionaryEntry& Dictionary::demand(const std::string& key) const {
 
 const Dictionary& Dictionary::subDict(const std::string& key) const {
     const DictionaryEntry& entry = demand(key);
-    if (!entry.dict)
-        fatal(key, "Entry '" + key + "' is not a sub-dictionary in dictionary \"" + name() + '"');
+    if (!entry.dict) fatal(key, "Entry '" + key + "' is not a sub-dictionary in dictionary \"" + name() + '"');
     return *entry.dict;
 }
 
@@ -155,8 +147,7 @@ double Dictionary::dimensioned(const std::string& key, const std::array<double, 
     if (tokens.peek().is('[')) {
         const Dimensions given = readDimensions(tokens);
         if (!sameDimensions(given, dimensions)) {
-            fatal(key, "Dimensions " + toString(given) + " of entry '" + key + "' should be " +
-                           toString(dimensions));
+            fatal(key, "Dimensions " + toString(given) + " of entry '" + key + "' should be " + toString(dimensions));
         }
     }
     const double value = tokens.read<double>();
@@ -171,8 +162,7 @@ double Dictionary::dimensioned(const std::string& key, const std::array<double, 
 
 TokenReader Dictionary::reader(const std::string& key) const {
     DictionaryEntry& entry = demand(key);
-    if (entry.dict)
-        fatal(key, "Entry '" + key + "' in dictionary \"" + name() + "\" is a sub-dictionary, not a value");
+    if (entry.dict) fatal(key, "Entry '" + key + "' in dictionary \"" + name() + "\" is a sub-dictionary, not a value");
     entry.readWhole = true;
     return TokenReader(node_, entry.tokens, key, entry.where);
 }

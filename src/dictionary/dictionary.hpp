@@ -83,8 +83,7 @@ public:
     /// `rho 1000;`  `rho [1 -3 0 0 0 0 0] 1000;`  `rho rho [1 -3 0 0 0 0 0] 1000;`
     /// Dimensions, where given, must be the expected ones: exponents of kg m s K mol A cd.
     double dimensioned(const std::string& key, const std::array<double, 7>& dimensions) const;
-    double dimensioned(const std::string& key, const std::array<double, 7>& dimensions,
-                       double defaultValue) const;
+    double dimensioned(const std::string& key, const std::array<double, 7>& dimensions, double defaultValue) const;
 
     /// For entries of any other form. Dictionaries within are taken as read.
     TokenReader reader(const std::string& key) const;

@@ -119,8 +119,7 @@ Dimensions readDimensions(TokenReader& tokens) {
     tokens.expect(']');
     if (symbolic) return SymbolicDimensions(text, tokens).parse();
     if (numbers.size() != 0 && numbers.size() != 5 && numbers.size() != 7) {
-        tokens.fatal("dimensions need 5 or 7 numbers [kg m s K mol A cd], not " +
-                     std::to_string(numbers.size()));
+        tokens.fatal("dimensions need 5 or 7 numbers [kg m s K mol A cd], not " + std::to_string(numbers.size()));
     }
     Dimensions result{};
     std::copy(numbers.begin(), numbers.end(), result.begin());

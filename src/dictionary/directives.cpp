@@ -21,17 +21,12 @@ const std::vector<std::string> directives = {"include",     "includeIfPresent",
                                              "if",          "ifeq",
                                              "else",        "endif"};
 
-bool silent(const std::string& name) {
-    return name == "includeIfPresent" || name.starts_with("sinclude");
-}
-bool isInclude(const std::string& name) {
-    return name == "include" || name == "includeEtc" || silent(name);
-}
+bool silent(const std::string& name) { return name == "includeIfPresent" || name.starts_with("sinclude"); }
+bool isInclude(const std::string& name) { return name == "include" || name == "includeEtc" || silent(name); }
 
 [[noreturn]] void unknown(const Token& token) {
     if (token.text == "codeStream") {
-        throw UserError("#codeStream is not supported: dictionaries are never compiled. Use #eval",
-                        token.where());
+        throw UserError("#codeStream is not supported: dictionaries are never compiled. Use #eval", token.where());
     }
     throw UserError(notValid("#" + token.text, "directive", directives), token.where());
 }
@@ -54,8 +49,7 @@ void Parser::directive(Lexer& lexer, const NodePtr& node, const Token& token) {
     }
 }
 
-void Parser::valueDirective(Lexer& lexer, const NodePtr& scope, const Token& token, const Token& key,
-                            Tokens& out) {
+void Parser::valueDirective(Lexer& lexer, const NodePtr& scope, const Token& token, const Token& key, Tokens& out) {
     if (token.text == "eval" || token.text == "calc") {
         evaluate(lexer, scope, token, out);
     } else if (isInclude(token.text)) {
@@ -96,9 +90,8 @@ fs::path Parser::includedFile(Lexer& lexer, const NodePtr& scope, const Token& t
     if (token.text.ends_with("Etc")) {
         const auto found = findEtc(file);
         if (!found && !silent(token.text)) {
-            throw UserError(
-                "cannot find file \"" + name + "\" in $PFEM_ETC, ~/.pfem or the installation's etc",
-                token.where());
+            throw UserError("cannot find file \"" + name + "\" in $PFEM_ETC, ~/.pfem or the installation's etc",
+                            token.where());
         }
         file = found.value_or(fs::path());
     } else {
@@ -160,8 +153,7 @@ void Parser::removeKeys(Lexer& lexer, const NodePtr& node, const Token& token) {
 }
 
 void Parser::setInputMode(Lexer& lexer, const Token& token) {
-    static const std::vector<std::string> names = {"merge", "overwrite", "protect",
-                                                   "warn",  "error",     "default"};
+    static const std::vector<std::string> names = {"merge", "overwrite", "protect", "warn", "error", "default"};
     const std::string name = lexer.next().text;
     const auto place = std::find(names.begin(), names.end(), name);
     if (place == names.end()) throw UserError(notValid(name, "inputMode", names), token.where());

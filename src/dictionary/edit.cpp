@@ -32,9 +32,7 @@ public:
     }
 
 private:
-    bool startsWith(const char* word) const {
-        return text_.compare(at_, std::string(word).size(), word) == 0;
-    }
+    bool startsWith(const char* word) const { return text_.compare(at_, std::string(word).size(), word) == 0; }
 
     void to(const std::string& word, std::size_t from) {
         const auto found = text_.find(word, from);
@@ -192,14 +190,12 @@ std::string inserted(std::string text, const Scope& scope, const std::string& ke
     const auto entries = entriesOf(text, scope);
     const bool isDict = value.starts_with('{');
     const std::string word = key.find_first_of("*|[]+?^$\\") == std::string::npos ? key : '"' + key + '"';  // patterns
-    const std::string entry =
-        (word.size() < 15 && !isDict ? word + std::string(16 - word.size(), ' ') : word + " ") + value +
-        (isDict ? "" : ";");
+    const std::string entry = (word.size() < 15 && !isDict ? word + std::string(16 - word.size(), ' ') : word + " ") +
+                              value + (isDict ? "" : ";");
     if (entries.empty() && scope.top) return text + entry + "\n";
     if (entries.empty()) {
         const std::string outer = indentAt(text, scope.begin - 1);
-        return text.replace(scope.begin, scope.end - scope.begin,
-                            "\n" + outer + "    " + entry + "\n" + outer);
+        return text.replace(scope.begin, scope.end - scope.begin, "\n" + outer + "    " + entry + "\n" + outer);
     }
     const bool sameLine = text.find('\n', scope.begin) >= scope.end;
     auto at = entries.back().end;

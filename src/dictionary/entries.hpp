@@ -56,8 +56,7 @@ public:
         check(dictionary_, key, member, range);
     }
     template <class T>
-    void required(const std::string& key, T& member, const std::string&, const std::string&,
-                  const Range& range = any) {
+    void required(const std::string& key, T& member, const std::string&, const std::string&, const Range& range = any) {
         member = dictionary_.get<T>(key);
         check(dictionary_, key, member, range);
     }
@@ -71,8 +70,8 @@ public:
     std::vector<EntryDescription> rows;
 
     template <class T>
-    void operator()(const std::string& key, const T& member, const std::string& unit,
-                    const std::string& meaning, const Range& range = any) {
+    void operator()(const std::string& key, const T& member, const std::string& unit, const std::string& meaning,
+                    const Range& range = any) {
         rows.push_back({key, typeName<T>(), unit, valueText(member), meaning, range.text});
     }
     template <class T>

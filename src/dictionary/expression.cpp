@@ -13,60 +13,24 @@ namespace {
 
 constexpr std::size_t maxLength = 10'000;
 
-double degToRad(double x) {
-    return x * std::numbers::pi / 180;
-}
-double radToDeg(double x) {
-    return x * 180 / std::numbers::pi;
-}
-double asBool(double x) {
-    return x != 0;
-}
-double sqr(double x) {
-    return x * x;
-}
-double magSqr(double x) {
-    return x * x;
-}
-double mag(double x) {
-    return std::abs(x);
-}
-double power(double x, double y) {
-    return std::pow(x, y);
-}
-double remainderOf(double x, double y) {
-    return std::fmod(x, y);
-}
-double hypotenuse(double x, double y) {
-    return std::hypot(x, y);
-}
-double pos(double x) {
-    return x > 0;
-}
-double pos0(double x) {
-    return x >= 0;
-}
-double neg(double x) {
-    return x < 0;
-}
-double neg0(double x) {
-    return x <= 0;
-}
-double floorOf(double x) {
-    return std::floor(x);
-}
-double ceilOf(double x) {
-    return std::ceil(x);
-}
-double roundOf(double x) {
-    return std::round(x);
-}
-double cubeRoot(double x) {
-    return std::cbrt(x);
-}
-double negation(double x) {
-    return x == 0;
-}
+double degToRad(double x) { return x * std::numbers::pi / 180; }
+double radToDeg(double x) { return x * 180 / std::numbers::pi; }
+double asBool(double x) { return x != 0; }
+double sqr(double x) { return x * x; }
+double magSqr(double x) { return x * x; }
+double mag(double x) { return std::abs(x); }
+double power(double x, double y) { return std::pow(x, y); }
+double remainderOf(double x, double y) { return std::fmod(x, y); }
+double hypotenuse(double x, double y) { return std::hypot(x, y); }
+double pos(double x) { return x > 0; }
+double pos0(double x) { return x >= 0; }
+double neg(double x) { return x < 0; }
+double neg0(double x) { return x <= 0; }
+double floorOf(double x) { return std::floor(x); }
+double ceilOf(double x) { return std::ceil(x); }
+double roundOf(double x) { return std::round(x); }
+double cubeRoot(double x) { return std::cbrt(x); }
+double negation(double x) { return x == 0; }
 
 /// OpenFOAM writes pi(); muParser has constants.
 std::string withConstants(std::string text) {
@@ -155,9 +119,7 @@ double Expression::operator()(const std::vector<double>& values) const {
     return impl_->evaluate();
 }
 
-double evaluateScalar(const std::string& text, const Location& where) {
-    return Expression(text, {}, where)({});
-}
+double evaluateScalar(const std::string& text, const Location& where) { return Expression(text, {}, where)({}); }
 
 std::string evaluateToText(const std::string& text, const Location& where) {
     const auto number = [](double x) {

@@ -44,9 +44,7 @@ std::vector<fs::path> etcFolders() {
 
 }  // namespace
 
-std::size_t byteOrderMark(const std::string& text) {
-    return text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
-}
+std::size_t byteOrderMark(const std::string& text) { return text.starts_with("\xEF\xBB\xBF") ? 3 : 0; }
 
 std::string fileText(const fs::path& file, const Location& where) {
     const Location place = where.file.empty() ? Location{file.string(), 0} : where;
@@ -55,8 +53,7 @@ std::string fileText(const fs::path& file, const Location& where) {
     if (error || !fs::exists(status)) throw UserError("cannot find file \"" + file.string() + '"', place);
     // A device or a pipe could be read for ever.
     if (!fs::is_regular_file(status)) throw UserError('"' + file.string() + "\" is not a file", place);
-    if (fs::file_size(file, error) > maxFileSize)
-        throw UserError('"' + file.string() + "\" is too large", place);
+    if (fs::file_size(file, error) > maxFileSize) throw UserError('"' + file.string() + "\" is too large", place);
     std::ifstream in(file, std::ios::binary);
     std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
     if (!in) throw UserError("cannot read file \"" + file.string() + '"', place);
@@ -78,10 +75,8 @@ std::optional<fs::path> findFunction(const std::string& name) {
     for (const auto& folder : etcFolders()) {
         std::error_code error;
         std::vector<fs::path> matching;
-        for (const auto& file :
-             fs::recursive_directory_iterator(folder / "caseDicts/postProcessing", error)) {
-            if (file.path().filename() == name && file.is_regular_file(error))
-                matching.push_back(file.path());
+        for (const auto& file : fs::recursive_directory_iterator(folder / "caseDicts/postProcessing", error)) {
+            if (file.path().filename() == name && file.is_regular_file(error)) matching.push_back(file.path());
         }
         // The order of a folder's files is arbitrary
         if (!matching.empty()) return *std::min_element(matching.begin(), matching.end());

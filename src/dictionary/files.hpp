@@ -12,7 +12,8 @@ namespace pfem {
 /// Length of the byte order mark that some editors put at the beginning of a text; 0: there is none.
 std::size_t byteOrderMark(const std::string& text);
 
-/// The whole file without its byte order mark; UserError at `where` (or naming the file itself) if it is missing, a folder or unreadable.
+/// The whole file without its byte order mark; UserError at `where` (or naming the file itself) if it is missing, a
+/// folder or unreadable.
 std::string fileText(const std::filesystem::path& file, const Location& where);
 
 /// In $PFEM_ETC, ~/.pfem, the etc folder of the installation; the first that has the file.

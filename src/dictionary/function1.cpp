@@ -57,7 +57,8 @@ Function1Ptr<T> readBlock(const Dictionary& dict) {
     }
     if (type == "tableFile")
         return std::make_shared<Table1<T>>(readTableFile<T>(dict), readOutOfBounds(dict), dict.where("file"));
-    if (type == "scale") return std::make_shared<Scale<T>>(readFunction1<double>(dict, "scale"), readFunction1<T>(dict, "value"));
+    if (type == "scale")
+        return std::make_shared<Scale<T>>(readFunction1<double>(dict, "scale"), readFunction1<T>(dict, "value"));
     return std::make_shared<Wave<T>>(readWave<T>(dict, type == "square"));
 }
 
@@ -71,15 +72,16 @@ struct Difference {
     double variation;
 };
 
-/// Of fourth order; forward ones next to t = 0, for formulas need not make sense before. Nothing where they would reach beyond the
-/// places in which the function makes sense.
+/// Of fourth order; forward ones next to t = 0, for formulas need not make sense before. Nothing where they would reach
+/// beyond the places in which the function makes sense.
 template <class T>
 std::optional<Difference<T>> difference(const Function1<T>& f, double t, double step) {
     try {
         const T here = f.value(t);
         const auto change = [&](int k) { return T(f.value(t + k * step) - here); };
         const bool forward = t >= 0 && t < 2 * step;
-        const T a = change(forward ? 1 : -2), b = change(forward ? 2 : -1), c = change(forward ? 3 : 1), d = change(forward ? 4 : 2);
+        const T a = change(forward ? 1 : -2), b = change(forward ? 2 : -1), c = change(forward ? 3 : 1),
+                d = change(forward ? 4 : 2);
         const T sum = forward ? T(48 * a - 36 * b + 16 * c - 3 * d) : T(a - 8 * b + 8 * c - d);
         return Difference<T>{sum / (12 * step), std::max({sizeOf(a), sizeOf(b), sizeOf(c), sizeOf(d)})};
     } catch (const UserError&) {
@@ -93,15 +95,16 @@ std::vector<std::string> function1Types() {
     return {"constant", "expression", "polynomial", "scale", "sine", "square", "table", "tableFile"};
 }
 
-// Nothing says how fast the function changes, in which unit of time: of steps that become shorter and shorter the one is taken at
-// which two that follow each other agree best, in parts of what the function's variation there allows. Longer ones miss the
-// function's turns, shorter ones drown in round-off.
+// Nothing says how fast the function changes, in which unit of time: of steps that become shorter and shorter the one
+// is taken at which two that follow each other agree best, in parts of what the function's variation there allows.
+// Longer ones miss the function's turns, shorter ones drown in round-off.
 template <class T>
 T Function1<T>::derivative(double t) const {
     T best = 0 * value(t), last = best;
     double least = std::numeric_limits<double>::infinity();
     bool first = true;
-    for (double step = 0.0314 * std::max(1.0, 1e-3 * std::abs(t)); step > 1e-13 * std::max(1e-6, std::abs(t)); step *= 0.12) {
+    for (double step = 0.0314 * std::max(1.0, 1e-3 * std::abs(t)); step > 1e-13 * std::max(1e-6, std::abs(t));
+         step *= 0.12) {
         const auto now = difference(*this, t, step);
         if (!now) continue;
         if (now->variation == 0) return 0 * best;
@@ -136,9 +139,11 @@ Function1Ptr<T> readFunction1(const Dictionary& dict, const std::string& key) {
 
 void demandPlane(const Dictionary& dict, const std::string& key, double z) {
     if (z == 0) return;
-    dict.fatal(key, fmt::format("Entry '{}' in dictionary \"{}\" has the z component {:g}: the case lies in the plane of x and y, "
-                                "write (x y 0)",
-                                key, dict.name(), z));
+    dict.fatal(
+        key,
+        fmt::format("Entry '{}' in dictionary \"{}\" has the z component {:g}: the case lies in the plane of x and y, "
+                    "write (x y 0)",
+                    key, dict.name(), z));
 }
 
 Function1Ptr<Eigen::Vector3d> readPlaneFunction1(const Dictionary& dict, const std::string& key) {

@@ -52,8 +52,10 @@ WaveEntries<T> readWave(const Dictionary& dict, bool square) {
     if (!(e.frequency > 0 && e.frequency < 1e300))
         dict.fatal(dict.found("period") ? "period" : "frequency", "frequency and period must be positive");
     e.start = dict.get("start", dict.get("t0", 0.0));
-    if (dict.found("amplitude")) e.amplitude = readFunction1<double>(dict, "amplitude");
-    else e.amplitude = std::make_shared<Constant<double>>(1.0);
+    if (dict.found("amplitude"))
+        e.amplitude = readFunction1<double>(dict, "amplitude");
+    else
+        e.amplitude = std::make_shared<Constant<double>>(1.0);
     if constexpr (std::is_same_v<T, double>) {
         e.scale = dict.get("scale", 1.0);
         e.level = dict.get("level", 0.0);

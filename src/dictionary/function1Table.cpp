@@ -18,8 +18,8 @@ Table1<T>::Table1(Pairs<T> points, OutOfBounds outside, Location where)
                             where_);
     area_.push_back(0 * points_[0].second);
     for (std::size_t k = 1; k < points_.size(); ++k)
-        area_.push_back(area_.back() + 0.5 * (points_[k].first - points_[k - 1].first) *
-                                           (points_[k].second + points_[k - 1].second));
+        area_.push_back(area_.back() +
+                        0.5 * (points_[k].first - points_[k - 1].first) * (points_[k].second + points_[k - 1].second));
 }
 
 /// The time in the table that stands for t.
@@ -28,8 +28,9 @@ double Table1<T>::within(double t) const {
     const double first = points_.front().first, last = points_.back().first;
     if (t >= first && t <= last) return t;
     if (outside_ == OutOfBounds::error)
-        throw UserError(fmt::format("Time {:g} is outside the table's range {:g} ... {:g} (outOfBounds error)", t, first, last),
-                        where_);
+        throw UserError(
+            fmt::format("Time {:g} is outside the table's range {:g} ... {:g} (outOfBounds error)", t, first, last),
+            where_);
     if (outside_ == OutOfBounds::clamp || last == first) return std::clamp(t, first, last);
     const double cycles = (t - first) / (last - first);
     return first + (cycles - std::floor(cycles)) * (last - first);
@@ -38,7 +39,8 @@ double Table1<T>::within(double t) const {
 /// Index of the point at or before t (not the last).
 template <class T>
 std::size_t Table1<T>::piece(double t) const {
-    const auto after = std::upper_bound(points_.begin(), points_.end(), t, [](double s, const auto& p) { return s < p.first; });
+    const auto after =
+        std::upper_bound(points_.begin(), points_.end(), t, [](double s, const auto& p) { return s < p.first; });
     const auto k = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - points_.begin() - 1, 0));
     return std::min(k, points_.size() - 2);
 }
@@ -67,7 +69,8 @@ T Table1<T>::integralFromFirst(double t) const {
         const double cycles = std::floor((t - first) / (last - first));
         const double inside = t - cycles * (last - first);
         const std::size_t k = piece(inside);
-        return cycles * area_.back() + area_[k] + 0.5 * (inside - points_[k].first) * (points_[k].second + value(inside));
+        return cycles * area_.back() + area_[k] +
+               0.5 * (inside - points_[k].first) * (points_[k].second + value(inside));
     }
     if (t <= first) return (t - first) * points_.front().second;
     if (t >= last) return area_.back() + (t - last) * points_.back().second;

@@ -7,9 +7,7 @@ namespace pfem::function1Detail {
 
 namespace {
 
-double power(double t, double exponent) {
-    return exponent == 0 ? 1 : std::pow(t, exponent);
-}
+double power(double t, double exponent) { return exponent == 0 ? 1 : std::pow(t, exponent); }
 
 /// c t^e, its derivative (order 1) or its integral (order -1).
 double term(double c, double e, double t, int order) {
@@ -56,7 +54,8 @@ template <class T>
 T Wave<T>::derivative(double t) const {
     const double omega = 2 * std::numbers::pi * e_.frequency, phase = omega * (t - e_.start);
     if (e_.square) return Function1<T>::derivative(t);
-    return (e_.amplitude->derivative(t) * std::sin(phase) + e_.amplitude->value(t) * omega * std::cos(phase)) * e_.scale;
+    return (e_.amplitude->derivative(t) * std::sin(phase) + e_.amplitude->value(t) * omega * std::cos(phase)) *
+           e_.scale;
 }
 
 template <class T>

@@ -46,8 +46,8 @@ void Parser::includeFunction(Lexer& lexer, const NodePtr& node, const Token& tok
     fs::path file = fs::path(*token.file).parent_path() / name;
     if (!fs::is_regular_file(file, error)) file = findFunction(name).value_or(fs::path());
     if (file.empty()) {
-        std::cerr << "--> PFEM Warning: cannot find function object file " << name << " for " << *token.file
-                  << ':' << token.line << '\n';
+        std::cerr << "--> PFEM Warning: cannot find function object file " << name << " for " << *token.file << ':'
+                  << token.line << '\n';
         return;
     }
     DictionaryEntry entry;

@@ -22,7 +22,8 @@ namespace {
 bool tooCostly(const std::string& expression) {
     double cost = static_cast<double>(expression.size());
     for (std::size_t i = 0; i < expression.size(); ++i) {
-        if (expression[i] == '+' && i > 0 && std::string("+*?})").find(expression[i - 1]) != std::string::npos) cost *= 2;
+        if (expression[i] == '+' && i > 0 && std::string("+*?})").find(expression[i - 1]) != std::string::npos)
+            cost *= 2;
         if (expression[i] != '{') continue;
         const auto close = std::min(expression.find('}', i), expression.size());
         double largest = 1;
@@ -42,8 +43,7 @@ bool tooCostly(const std::string& expression) {
 KeyPattern::KeyPattern(const std::string& expression, const Location& where) {
     const bool ignoreCase = expression.starts_with("(?i)");
     const std::string body = ignoreCase ? expression.substr(4) : expression;
-    if (tooCostly(body))
-        throw UserError("Regular expression \"" + expression.substr(0, 80) + "\" is too large", where);
+    if (tooCostly(body)) throw UserError("Regular expression \"" + expression.substr(0, 80) + "\" is too large", where);
     for (std::size_t i = 0; i + 1 < body.size(); ++i) {  // \1 may take exponential time
         if (body[i] == '\\' && body[i + 1] >= '1' && body[i + 1] <= '9') {
             throw UserError("Keyword \"" + expression + "\": back references are not supported", where);

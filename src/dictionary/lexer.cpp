@@ -8,14 +8,10 @@ namespace pfem {
 
 namespace {
 
-bool isSpace(char c) {
-    return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\v' || c == '\f';
-}
+bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\v' || c == '\f'; }
 
 /// Characters of a word; parentheses and brackets only balanced.
-bool isWordCharacter(char c) {
-    return c != '\0' && !isSpace(c) && !std::strchr("\"'/;{}", c);
-}
+bool isWordCharacter(char c) { return c != '\0' && !isSpace(c) && !std::strchr("\"'/;{}", c); }
 
 }  // namespace
 
@@ -29,13 +25,9 @@ Lexer::Lexer(std::string text, std::shared_ptr<const std::string> file, int firs
     }
 }
 
-void Lexer::fail(const std::string& message, int line) const {
-    throw UserError(message, {*file_, line});
-}
+void Lexer::fail(const std::string& message, int line) const { throw UserError(message, {*file_, line}); }
 
-char Lexer::peek(std::size_t ahead) const {
-    return position_ + ahead < text_.size() ? text_[position_ + ahead] : '\0';
-}
+char Lexer::peek(std::size_t ahead) const { return position_ + ahead < text_.size() ? text_[position_ + ahead] : '\0'; }
 
 char Lexer::get() {
     const char c = text_[position_++];
@@ -126,8 +118,7 @@ std::string Lexer::word() {
         if (c == ',' && parentheses <= 0 && numberOrWord(text).isNumber()) break;
         text += get();
     }
-    if (parentheses > 0)
-        fail("Word '" + text + "' has '(' without ')'; a list needs a space before '('", start);
+    if (parentheses > 0) fail("Word '" + text + "' has '(' without ')'; a list needs a space before '('", start);
     return text;
 }
 
@@ -206,8 +197,7 @@ std::string Lexer::lineArgument() {
 
 std::string Lexer::restOfLine() {
     std::string text;
-    while (!atEnd() && peek() != '\n' && !(peek() == '/' && (peek(1) == '/' || peek(1) == '*')))
-        text += get();
+    while (!atEnd() && peek() != '\n' && !(peek() == '/' && (peek(1) == '/' || peek(1) == '*'))) text += get();
     const auto first = text.find_first_not_of(" \t\r");
     if (first == std::string::npos) return {};
     return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);

@@ -12,8 +12,7 @@ constexpr std::size_t maxExpansion = 100'000;
 
 /// "a.b.c" in this dictionary only. Keys may contain dots themselves (alpha.water): the whole name first,
 /// then every way to cut it. What is found, and the dictionaries on the way, count as used.
-const DictionaryEntry* findScoped(DictionaryNode& node, const std::string& name, bool patterns,
-                                  int depth = 0) {
+const DictionaryEntry* findScoped(DictionaryNode& node, const std::string& name, bool patterns, int depth = 0) {
     if (auto* entry = node.find(name, patterns)) {
         entry->inMacro = true;
         return entry;
@@ -95,15 +94,15 @@ bool isNameCharacter(char c) {
 /// As part of a formula: negative numbers in parentheses, vectors as vector(x,y,z).
 std::string operand(const Tokens& tokens) {
     if (tokens.size() == 1 && tokens[0].isNumber() && tokens[0].number < 0) return '(' + tokens[0].text + ')';
-    const bool vector = tokens.size() == 5 && tokens[0].is('(') && tokens[1].isNumber() &&
-                        tokens[2].isNumber() && tokens[3].isNumber() && tokens[4].is(')');
+    const bool vector = tokens.size() == 5 && tokens[0].is('(') && tokens[1].isNumber() && tokens[2].isNumber() &&
+                        tokens[3].isNumber() && tokens[4].is(')');
     if (!vector) return spelling(tokens);
     return "vector(" + tokens[1].text + ',' + tokens[2].text + ',' + tokens[3].text + ')';
 }
 
 /// The value as text, or nothing.
-std::optional<std::string> lookUp(const std::string& macro, const DictionaryNode& scope,
-                                  const Location& where, bool inExpression, int depth) {
+std::optional<std::string> lookUp(const std::string& macro, const DictionaryNode& scope, const Location& where,
+                                  bool inExpression, int depth) {
     const MacroDefault parts = splitDefault(macro);
     std::optional<std::string> found;
     if (const auto* entry = findMacro(scope, parts.name); entry && !entry->dict) {
@@ -117,8 +116,7 @@ std::optional<std::string> lookUp(const std::string& macro, const DictionaryNode
         found = text;
     }
     if (parts.operation == '+')
-        return found && !found->empty() ? expandString(parts.text, scope, where, inExpression, depth + 1)
-                                        : "";
+        return found && !found->empty() ? expandString(parts.text, scope, where, inExpression, depth + 1) : "";
     if (parts.operation == '-' && (!found || found->empty()))
         return expandString(parts.text, scope, where, inExpression, depth + 1);
     return found;
@@ -126,8 +124,8 @@ std::optional<std::string> lookUp(const std::string& macro, const DictionaryNode
 
 }  // namespace
 
-std::string expandString(const std::string& text, const DictionaryNode& scope, const Location& where,
-                         bool inExpression, int depth) {
+std::string expandString(const std::string& text, const DictionaryNode& scope, const Location& where, bool inExpression,
+                         int depth) {
     if (depth > 20 || text.find('$') == std::string::npos) return text;
     std::string out;
     for (std::size_t i = 0; i < text.size();) {
@@ -147,15 +145,13 @@ std::string expandString(const std::string& text, const DictionaryNode& scope, c
             for (++end; end < text.size() && braces > 0; ++end) {
                 braces += text[end] == '{' ? 1 : text[end] == '}' ? -1 : 0;
             }
-            if (braces == 0)
-                name = expandString(text.substr(i + 2, end - i - 3), scope, where, false, depth + 1);
+            if (braces == 0) name = expandString(text.substr(i + 2, end - i - 3), scope, where, false, depth + 1);
         } else {
             while (end < text.size() && isNameCharacter(text[end])) ++end;
             name = text.substr(i + 1, end - i - 1);
             // A dot or colon at the end belongs to the text: "$FOAM_CASE." ; so does what follows a known
             // name
-            while (!name.empty() && !std::isalnum(static_cast<unsigned char>(name.back())) &&
-                   name.back() != '_') {
+            while (!name.empty() && !std::isalnum(static_cast<unsigned char>(name.back())) && name.back() != '_') {
                 name.pop_back();
                 --end;
             }
@@ -170,8 +166,7 @@ std::string expandString(const std::string& text, const DictionaryNode& scope, c
             value = lookUp(name, scope, where, inExpression, depth);
         }
         out += value ? *value : text.substr(i, end - i);
-        if (out.size() > maxExpansion)
-            throw UserError("The macros of a string expand to too much text", where);
+        if (out.size() > maxExpansion) throw UserError("The macros of a string expand to too much text", where);
         i = end;
     }
     return out;

@@ -54,8 +54,8 @@ void spend(long& budget, std::size_t amount, int depth, const Location& where) {
 
 }  // namespace
 
-NodePtr copyNode(const DictionaryNode& from, const NodePtr& parent, const std::string& keyword,
-                 const Location& where, long& budget, int depth) {
+NodePtr copyNode(const DictionaryNode& from, const NodePtr& parent, const std::string& keyword, const Location& where,
+                 long& budget, int depth) {
     if (depth == 0) depth = parent ? depthOf(parent) + 1 : 1;
     auto copy = makeNode(parent, keyword, from.where);
     for (const auto& entry : from.entries) {
@@ -63,14 +63,13 @@ NodePtr copyNode(const DictionaryNode& from, const NodePtr& parent, const std::s
         DictionaryEntry mine = entry;
         mine.used = mine.inMacro = false;
         if (entry.dict) {
-            mine.dict = std::make_shared<Dictionary>(
-                copyNode(*entry.dict->node(), copy, entry.key, where, budget, depth + 1));
+            mine.dict =
+                std::make_shared<Dictionary>(copyNode(*entry.dict->node(), copy, entry.key, where, budget, depth + 1));
         }
         for (auto& token : mine.tokens) {
             if (!token.dict) continue;
             const auto& inner = *token.dict->node();
-            token.dict =
-                std::make_shared<Dictionary>(copyNode(inner, copy, inner.keyword, where, budget, depth + 1));
+            token.dict = std::make_shared<Dictionary>(copyNode(inner, copy, inner.keyword, where, budget, depth + 1));
         }
         copy->add(std::move(mine));
     }

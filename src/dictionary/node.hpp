@@ -51,8 +51,8 @@ NodePtr makeNode(const NodePtr& parent, const std::string& keyword, const Locati
 
 /// A deep copy under a new parent and keyword. `budget` is reduced by the number of copied tokens and
 /// entries; at zero, or beyond the deepest nesting, a UserError at `where`.
-NodePtr copyNode(const DictionaryNode& from, const NodePtr& parent, const std::string& keyword,
-                 const Location& where, long& budget, int depth = 0);
+NodePtr copyNode(const DictionaryNode& from, const NodePtr& parent, const std::string& keyword, const Location& where,
+                 long& budget, int depth = 0);
 
 /// Enters all entries of `from` into `to`: later values win, dictionaries merge.
 void mergeInto(const NodePtr& to, const NodePtr& from);

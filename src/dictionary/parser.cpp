@@ -36,23 +36,21 @@ void Parser::entries(Lexer& lexer, const NodePtr& node, const Token& openBrace) 
             if (!conditions.empty())
                 throw UserError("#" + conditions.back().text + " without #endif", conditions.back().where());
             if (openBrace.isEnd()) return;
-            throw UserError("Unexpected EOF while reading dictionary entry: '{' of '" + node->keyword +
-                                "' without its closing '}'",
-                            openBrace.where());
+            throw UserError(
+                "Unexpected EOF while reading dictionary entry: '{' of '" + node->keyword + "' without its closing '}'",
+                openBrace.where());
         }
         if (token.is('}')) {
             if (!conditions.empty())
                 throw UserError("#" + conditions.back().text + " without #endif", conditions.back().where());
             if (!openBrace.isEnd()) return;
-            throw UserError("Unexpected '}' while reading dictionary entry: more '}' than '{'",
-                            token.where());
+            throw UserError("Unexpected '}' while reading dictionary entry: more '}' than '{'", token.where());
         }
         if (token.is(';')) continue;
         if (token.kind == Token::Kind::directive) {
             const std::string& name = token.text;
             if (name == "if" || name == "ifeq") {
-                if (condition(lexer, node, token) || skipBranch(lexer, token, true))
-                    conditions.push_back(token);
+                if (condition(lexer, node, token) || skipBranch(lexer, token, true)) conditions.push_back(token);
             } else if (name == "else" || name == "endif") {
                 if (conditions.empty()) throw UserError("#" + name + " without #if", token.where());
                 if (name == "else") skipBranch(lexer, conditions.back(), false);
@@ -87,8 +85,7 @@ void Parser::entry(Lexer& lexer, const NodePtr& node, const Token& key) {
         // `a $b;` with a dictionary b makes a the copy of it
         if (result.tokens.size() == 1 && result.tokens[0].kind == Token::Kind::dictionary) {
             const auto& source = *result.tokens[0].dict->node();
-            result.dict =
-                std::make_shared<Dictionary>(copyNode(source, node, key.text, key.where(), budget_));
+            result.dict = std::make_shared<Dictionary>(copyNode(source, node, key.text, key.where(), budget_));
             result.tokens.clear();
         }
     }
@@ -96,8 +93,7 @@ void Parser::entry(Lexer& lexer, const NodePtr& node, const Token& key) {
     if (!headerOfInclude) add(node, std::move(result));
 }
 
-NodePtr Parser::dictionary(Lexer& lexer, const NodePtr& parent, const std::string& keyword,
-                           const Token& openBrace) {
+NodePtr Parser::dictionary(Lexer& lexer, const NodePtr& parent, const std::string& keyword, const Token& openBrace) {
     if (depthOf(parent) >= maxDepth) throw UserError("Dictionaries are nested too deeply", openBrace.where());
     auto node = makeNode(parent, keyword, openBrace.where());
     entries(lexer, node, openBrace);
@@ -120,24 +116,21 @@ void Parser::value(Lexer& lexer, const NodePtr& scope, const Token& key, Tokens&
         if (token.isEnd()) {
             if (untilEnd && open.empty()) return;
             if (!open.empty())
-                throw UserError("Imbalanced brackets: '" + open.back().text + "' is not closed in entry '" +
-                                    key.text + "'",
-                                open.back().where());
+                throw UserError(
+                    "Imbalanced brackets: '" + open.back().text + "' is not closed in entry '" + key.text + "'",
+                    open.back().where());
             notEnded("the end of the file");
         }
         if (token.is(';') && !untilEnd) {
             if (open.empty()) return;
-            throw UserError(
-                "Imbalanced brackets: '" + open.back().text + "' is not closed in entry '" + key.text + "'",
-                open.back().where());
+            throw UserError("Imbalanced brackets: '" + open.back().text + "' is not closed in entry '" + key.text + "'",
+                            open.back().where());
         }
         if (token.is('{')) {
-            const bool uniform =
-                !out.empty() && out.back().kind == Token::Kind::integer && !token.spaceBefore;
+            const bool uniform = !out.empty() && out.back().kind == Token::Kind::integer && !token.spaceBefore;
             // "Gauss multivariateSelection {...};" is a value; a name alone on its line begins the next
             // entry.
-            const bool nextEntry =
-                out.empty() || (out.size() > 1 && out.back().firstOnLine) || !out.back().isWord();
+            const bool nextEntry = out.empty() || (out.size() > 1 && out.back().firstOnLine) || !out.back().isWord();
             if (!uniform && open.empty() && nextEntry) notEnded("'{'");
             if (!uniform) {
                 const bool named = !out.empty() && (out.back().isWord() || out.back().isString());
@@ -154,9 +147,9 @@ void Parser::value(Lexer& lexer, const NodePtr& scope, const Token& key, Tokens&
             const char* const match = token.is(')') ? "(" : token.is(']') ? "[" : "{";
             if (open.empty() && token.is('}')) notEnded("'}'");
             if (open.empty() || open.back().text != match) {
-                throw UserError("Imbalanced brackets: '" + token.text + "' without '" + match +
-                                    "' in entry '" + key.text + "'",
-                                token.where());
+                throw UserError(
+                    "Imbalanced brackets: '" + token.text + "' without '" + match + "' in entry '" + key.text + "'",
+                    token.where());
             }
             open.pop_back();
         }
@@ -180,8 +173,8 @@ void Parser::add(const NodePtr& node, DictionaryEntry entry) {
         throw UserError("Entry '" + entry.key + "' is given twice (#inputMode error)", entry.where);
     }
     if (old && mode_ == InputMode::warn) {
-        std::cerr << "--> PFEM Warning: entry '" << entry.key << "' in " << entry.where.file << ':'
-                  << entry.where.line << " is given twice and ignored (#inputMode warn)\n";
+        std::cerr << "--> PFEM Warning: entry '" << entry.key << "' in " << entry.where.file << ':' << entry.where.line
+                  << " is given twice and ignored (#inputMode warn)\n";
     }
     if (old && (mode_ == InputMode::protect || mode_ == InputMode::warn)) return;
     if (old && old->dict && entry.dict && mode_ == InputMode::merge) {

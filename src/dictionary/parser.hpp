@@ -19,8 +19,7 @@ private:
     // parser.cpp
     void entries(Lexer& lexer, const NodePtr& node, const Token& openBrace);
     void entry(Lexer& lexer, const NodePtr& node, const Token& key);
-    NodePtr dictionary(Lexer& lexer, const NodePtr& parent, const std::string& keyword,
-                       const Token& openBrace);
+    NodePtr dictionary(Lexer& lexer, const NodePtr& parent, const std::string& keyword, const Token& openBrace);
     void value(Lexer& lexer, const NodePtr& scope, const Token& key, Tokens& out, bool untilEnd = false);
     void add(const NodePtr& node, DictionaryEntry entry);
     void spend(std::size_t tokens, const Location& where);
@@ -32,8 +31,7 @@ private:
 
     // directives.cpp: #directives
     void directive(Lexer& lexer, const NodePtr& node, const Token& token);
-    void valueDirective(Lexer& lexer, const NodePtr& scope, const Token& token, const Token& key,
-                        Tokens& out);
+    void valueDirective(Lexer& lexer, const NodePtr& scope, const Token& token, const Token& key, Tokens& out);
     void evaluate(Lexer& lexer, const NodePtr& scope, const Token& token, Tokens& out);
     std::filesystem::path includedFile(Lexer& lexer, const NodePtr& scope, const Token& token);
     Lexer openFile(const std::filesystem::path& file, const Token& token);

@@ -8,9 +8,7 @@ namespace pfem {
 
 namespace {
 
-std::string keyText(const DictionaryEntry& entry) {
-    return entry.quoted ? '"' + entry.key + '"' : entry.key;
-}
+std::string keyText(const DictionaryEntry& entry) { return entry.quoted ? '"' + entry.key + '"' : entry.key; }
 
 }  // namespace
 

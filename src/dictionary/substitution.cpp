@@ -47,8 +47,8 @@ void Parser::appendVariable(const NodePtr& scope, const Token& variable, Tokens&
         Token token = variable;
         token.kind = Token::Kind::dictionary;
         const std::string keyword = !out.empty() && out.back().isWord() ? out.back().text : "";
-        token.dict = std::make_shared<Dictionary>(
-            copyNode(*found->dict->node(), scope, keyword, variable.where(), budget_));
+        token.dict =
+            std::make_shared<Dictionary>(copyNode(*found->dict->node(), scope, keyword, variable.where(), budget_));
         out.push_back(std::move(token));
     } else if (found) {
         spend(1 + found->tokens.size(), variable.where());
@@ -58,8 +58,8 @@ void Parser::appendVariable(const NodePtr& scope, const Token& variable, Tokens&
             token.firstOnLine = false;
             if (token.dict) {
                 const auto& inner = *token.dict->node();
-                token.dict = std::make_shared<Dictionary>(
-                    copyNode(inner, scope, inner.keyword, variable.where(), budget_));
+                token.dict =
+                    std::make_shared<Dictionary>(copyNode(inner, scope, inner.keyword, variable.where(), budget_));
             }
             out.push_back(std::move(token));
         }
@@ -93,8 +93,7 @@ std::string Parser::variableAsWord(const NodePtr& scope, const Token& variable) 
 /// `$dict;` copies all entries of a dictionary, also without ';'. `$name value;` takes its keyword from
 /// `name`.
 void Parser::substitute(Lexer& lexer, const NodePtr& node, const Token& variable) {
-    const DictionaryEntry* found =
-        findMacro(*node, expandString(variable.text, *node, variable.where()), true);
+    const DictionaryEntry* found = findMacro(*node, expandString(variable.text, *node, variable.where()), true);
     if (found && found->dict) {
         const NodePtr copy = copyNode(*found->dict->node(), node, node->keyword, variable.where(), budget_);
         for (auto& copied : copy->entries) {

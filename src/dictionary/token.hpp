@@ -12,18 +12,7 @@ namespace pfem {
 class Dictionary;
 
 struct Token {
-    enum class Kind {
-        end,
-        punctuation,
-        word,
-        string,
-        verbatim,
-        integer,
-        scalar,
-        variable,
-        directive,
-        dictionary
-    };
+    enum class Kind { end, punctuation, word, string, verbatim, integer, scalar, variable, directive, dictionary };
 
     Kind kind = Kind::end;
     std::string text;      ///< as written, without quotes, '$', '#' or "#{ #}"

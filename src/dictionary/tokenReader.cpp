@@ -10,8 +10,7 @@ namespace pfem {
 
 namespace {
 
-constexpr std::int64_t maxUniformList =
-    10'000'000;  // 3{0} repeats: no limit would let a typo take all memory
+constexpr std::int64_t maxUniformList = 10'000'000;  // 3{0} repeats: no limit would let a typo take all memory
 
 bool toInteger(const Token& token, std::int64_t& value) {
     if (token.kind != Token::Kind::integer) return false;
@@ -53,8 +52,8 @@ void TokenReader::fatal(const std::string& message) const {
 }
 
 void TokenReader::wrongType(const std::string& expected, const Token& token) const {
-    std::string message = "Wrong token type - expected " + expected + ", found on line " +
-                          std::to_string(token.line) + ": " + describe(token) + "\n\nin entry '" + key_ + "'";
+    std::string message = "Wrong token type - expected " + expected + ", found on line " + std::to_string(token.line) +
+                          ": " + describe(token) + "\n\nin entry '" + key_ + "'";
     if (token.is('/') || peek().is('/')) message += " (a path must stand in quotes)";
     throw UserError(message, token.file ? token.where() : where_);
 }
@@ -67,10 +66,10 @@ void TokenReader::expect(char punctuation) {
 void TokenReader::end() const {
     if (atEnd()) return;
     const std::size_t count = tokens_->size() - position_;
-    std::string message = "Entry '" + key_ + "' has " + std::to_string(count) +
-                          " excess tokens in stream\n\n    " + std::to_string(tokens_->size()) + "(";
-    message += spelling(
-        Tokens(tokens_->begin(), tokens_->begin() + std::min<std::ptrdiff_t>(10, std::ssize(*tokens_))));
+    std::string message = "Entry '" + key_ + "' has " + std::to_string(count) + " excess tokens in stream\n\n    " +
+                          std::to_string(tokens_->size()) + "(";
+    message +=
+        spelling(Tokens(tokens_->begin(), tokens_->begin() + std::min<std::ptrdiff_t>(10, std::ssize(*tokens_))));
     message += tokens_->size() > 10 ? " ...)" : ")";
     if (peek().firstOnLine && position_ > 0) {
         const Token& last = (*tokens_)[position_ - 1];
@@ -111,8 +110,7 @@ void TokenReader::list(const std::function<void()>& element) {
         element();
     }
     next();
-    if (counted && n != count)
-        fatal("list of " + std::to_string(n) + " elements is announced as one of " + first.text);
+    if (counted && n != count) fatal("list of " + std::to_string(n) + " elements is announced as one of " + first.text);
 }
 
 void TokenReader::readInto(bool& value) {
@@ -120,8 +118,7 @@ void TokenReader::readInto(bool& value) {
     const std::string& t = token.text;
     if (token.isWord() && (t == "yes" || t == "on" || t == "true" || t == "y" || t == "t")) {
         value = true;
-    } else if (token.isWord() &&
-               (t == "no" || t == "off" || t == "false" || t == "n" || t == "f" || t == "none")) {
+    } else if (token.isWord() && (t == "no" || t == "off" || t == "false" || t == "n" || t == "f" || t == "none")) {
         value = false;
     } else if (token.kind == Token::Kind::integer && (t == "0" || t == "1")) {
         value = t == "1";
@@ -138,8 +135,7 @@ void TokenReader::readInto(std::int64_t& value) {
 void TokenReader::readInto(int& value) {
     const Token token = next();
     std::int64_t wide = 0;
-    if (!toInteger(token, wide) || wide > std::numeric_limits<int>::max() ||
-        wide < std::numeric_limits<int>::min()) {
+    if (!toInteger(token, wide) || wide > std::numeric_limits<int>::max() || wide < std::numeric_limits<int>::min()) {
         wrongType("integer value", token);
     }
     value = static_cast<int>(wide);

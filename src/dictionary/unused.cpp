@@ -44,8 +44,8 @@ std::vector<Unused> Dictionary::unused() const {
 
 void warnUnused(const Dictionary& dictionary, std::ostream& out) {
     for (const auto& entry : dictionary.unused()) {
-        out << "--> PFEM Warning: entry '" << entry.key << "' in " << entry.where.file << ':'
-            << entry.where.line << " is not used";
+        out << "--> PFEM Warning: entry '" << entry.key << "' in " << entry.where.file << ':' << entry.where.line
+            << " is not used";
         if (!entry.suggestion.empty()) out << " (did you mean '" << entry.suggestion << "'?)";
         out << '\n';
     }

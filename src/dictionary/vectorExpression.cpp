@@ -33,8 +33,7 @@ private:
     }
 
     char peek() {
-        while (position_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[position_])))
-            ++position_;
+        while (position_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[position_]))) ++position_;
         return position_ < text_.size() ? text_[position_] : '\0';
     }
 
@@ -43,8 +42,7 @@ private:
     /// A sign with a space before but none behind it starts a new component within "(1 -2 3)".
     bool startsComponent() const {
         return inTuple_ && position_ > 0 && std::isspace(static_cast<unsigned char>(text_[position_ - 1])) &&
-               position_ + 1 < text_.size() &&
-               !std::isspace(static_cast<unsigned char>(text_[position_ + 1]));
+               position_ + 1 < text_.size() && !std::isspace(static_cast<unsigned char>(text_[position_ + 1]));
     }
 
     EvaluatedVector sum() {
@@ -77,8 +75,7 @@ private:
         }
         if (operation == '*')
             return a.isVector ? EvaluatedVector{a.value * y, true} : EvaluatedVector{b.value * x, b.isVector};
-        if (b.isVector || (a.isVector && operation != '/'))
-            fail(std::string("scalar ") + operation + " vector");
+        if (b.isVector || (a.isVector && operation != '/')) fail(std::string("scalar ") + operation + " vector");
         if (operation == '/') return {a.value / y, a.isVector};
         if (operation == '^') return scalar(std::pow(x, y));
         fail("'&' needs two vectors");
@@ -175,9 +172,7 @@ private:
 bool containsVector(const std::string& text) {
     if (text.find("vector(") != std::string::npos) return true;
     // "(1 0 0)": two numbers with only blanks between them
-    const auto isEnd = [](char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == ')';
-    };
+    const auto isEnd = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == ')'; };
     const auto isStart = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '.'; };
     for (auto blank = text.find_first_of(" \t\n"); blank != std::string::npos;) {
         const auto next = text.find_first_not_of(" \t\n", blank);

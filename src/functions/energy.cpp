@@ -48,8 +48,8 @@ void Energy<Dim>::start(const State<Dim>& state) {
     loads_ = tractionForce<Dim>(state.mesh, problem_->conditions, state.nodes.x);
     table_.emplace(context_.folder / "energy.dat", context_.precision, context_.resumeAt);
     table_->comment("Energy, dissipation and work since the beginning [J/m in 2D, J in 3D]");
-    table_->header({"Time", "kinetic", "elastic", "potential", "total", "viscous", "damper", "workWalls",
-                    "workLoads", "remeshing", "volume", "numerical"});
+    table_->header({"Time", "kinetic", "elastic", "potential", "total", "viscous", "damper", "workWalls", "workLoads",
+                    "remeshing", "volume", "numerical"});
 }
 
 template <int Dim>
@@ -83,17 +83,15 @@ void Energy<Dim>::execute(const State<Dim>& state) {
     const double numerical = first_ + flows_.workWalls + flows_.workLoads + remeshing + volume - energy.total() -
                              flows_.viscous - flows_.damper;
     std::vector<std::string> row{table_->time(state.time.value)};
-    for (const double value : {energy.kinetic, energy.elastic, energy.potential, energy.total(),
-                               flows_.viscous, flows_.damper, flows_.workWalls, flows_.workLoads, remeshing, volume,
-                               numerical})
+    for (const double value : {energy.kinetic, energy.elastic, energy.potential, energy.total(), flows_.viscous,
+                               flows_.damper, flows_.workWalls, flows_.workLoads, remeshing, volume, numerical})
         row.push_back(table_->number(value));
     table_->row(row);
 }
 
 template <int Dim>
 std::vector<double> Energy<Dim>::memory() const {
-    return {first_,          flows_.viscous,  flows_.damper, flows_.workWalls,
-            flows_.workLoads, firstRemeshing_, firstVolume_};
+    return {first_, flows_.viscous, flows_.damper, flows_.workWalls, flows_.workLoads, firstRemeshing_, firstVolume_};
 }
 
 template class Energy<2>;

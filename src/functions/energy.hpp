@@ -38,7 +38,7 @@ private:
     FunctionContext<Dim> context_;
     std::optional<Problem<Dim>> problem_;
     Controls controls_;
-    double first_ = 0;  // total(0)
+    double first_ = 0;                             // total(0)
     double firstRemeshing_ = 0, firstVolume_ = 0;  // the solver's counts at that time
     EnergyFlows flows_;
     double time_ = 0;

@@ -34,8 +34,7 @@ double magnitude(const std::vector<double>& value) {
 }  // namespace
 
 template <int Dim>
-FieldMinMax<Dim>::FieldMinMax(const Dictionary& dict, const FunctionContext<Dim>& context)
-    : context_(context) {
+FieldMinMax<Dim>::FieldMinMax(const Dictionary& dict, const FunctionContext<Dim>& context) : context_(context) {
     fields_ = nodalFields<Dim>(dict, dict.get<std::vector<std::string>>("fields"));
 }
 
@@ -65,8 +64,7 @@ void FieldMinMax<Dim>::execute(const State<Dim>& state) {
         }
         if (lowest < 0) continue;
         table_->line(fmt::format("{}\t{}\t{}\t{}\t{}\t{}", table_->time(state.time.value), field.name,
-                                 table_->number(low), location(lowest), table_->number(high),
-                                 location(highest)));
+                                 table_->number(low), location(lowest), table_->number(high), location(highest)));
     }
 }
 

@@ -18,9 +18,7 @@ Eigen::Vector3d padded(const Vec<Dim>& v) {
     return {v[0], v[1], Dim == 3 ? v[Dim - 1] : 0.0};
 }
 
-bool contains(const std::vector<int>& all, int value) {
-    return std::find(all.begin(), all.end(), value) != all.end();
-}
+bool contains(const std::vector<int>& all, int value) { return std::find(all.begin(), all.end(), value) != all.end(); }
 
 std::string columns(const Table& table, double time, const std::vector<Eigen::Vector3d>& vectors) {
     std::string line = table.time(time);
@@ -55,8 +53,7 @@ ForceAndMoment reaction(const Problem<Dim>& problem, const Controls& controls, c
     const auto forces = supportForces<Dim>(problem, controls, state);
     std::vector<int> nodes;
     for (const int k : patches)
-        for (const auto& face : state.mesh.patches[k].faces)
-            nodes.insert(nodes.end(), face.begin(), face.end());
+        for (const auto& face : state.mesh.patches[k].faces) nodes.insert(nodes.end(), face.begin(), face.end());
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     ForceAndMoment sum;
@@ -65,12 +62,10 @@ ForceAndMoment reaction(const Problem<Dim>& problem, const Controls& controls, c
 }
 
 template <int Dim>
-Forces<Dim>::Forces(const Dictionary& dict, const FunctionContext<Dim>& context)
-    : dict_(dict), context_(context) {
+Forces<Dim>::Forces(const Dictionary& dict, const FunctionContext<Dim>& context) : dict_(dict), context_(context) {
     readEntries(dict, entries_);
     if (entries_.patches.empty() && entries_.solids.empty())
-        dict.fatal("patches",
-                   "forces on what? patches (names of walls or clamped patches); or solids (materials);");
+        dict.fatal("patches", "forces on what? patches (names of walls or clamped patches); or solids (materials);");
 }
 
 /// Names to indices. Throws UserError with the valid names.
@@ -88,8 +83,7 @@ void Forces<Dim>::sortNames(const State<Dim>& state) {
         const int k = indexOf("patches", name, "patch", names);
         (isWall(problem_->conditions.kind[k]) ? walls_ : supports_).push_back(k);
         if (problem_->conditions.kind[k] == PatchKind::traction)
-            dict_.fatal("patches",
-                        "'" + name + "' is a loaded edge: its force is known, and it bears nothing");
+            dict_.fatal("patches", "'" + name + "' is a loaded edge: its force is known, and it bears nothing");
     }
     for (const auto& name : entries_.solids)
         materials_.push_back(indexOf("solids", name, "material", state.mesh.materials));
@@ -103,8 +97,8 @@ void Forces<Dim>::start(const State<Dim>& state) {
     const auto begin = [&](const std::string& file, const std::string& title, const std::string& head) {
         Table table(context_.folder / file, context_.precision, context_.resumeAt);
         table.comment(title);
-        table.comment(fmt::format("CofR                : ({} {} {})", entries_.CofR[0], entries_.CofR[1],
-                                  entries_.CofR[2]));
+        table.comment(
+            fmt::format("CofR                : ({} {} {})", entries_.CofR[0], entries_.CofR[1], entries_.CofR[2]));
         table.line("#");
         table.comment("Time\t" + head);
         return table;
@@ -127,8 +121,7 @@ void Forces<Dim>::execute(const State<Dim>& state) {
         const FluidForce f = fluidForce<Dim>(*problem_, state, walls_, materials_);
         const Eigen::Vector3d pressure = f.pressure.momentAbout(entries_.CofR),
                               viscous = f.viscous.momentAbout(entries_.CofR);
-        force_->line(
-            columns(*force_, time, {f.pressure.force + f.viscous.force, f.pressure.force, f.viscous.force}));
+        force_->line(columns(*force_, time, {f.pressure.force + f.viscous.force, f.pressure.force, f.viscous.force}));
         moment_->line(columns(*moment_, time, {pressure + viscous, pressure, viscous}));
     }
     if (reaction_) {
@@ -137,10 +130,8 @@ void Forces<Dim>::execute(const State<Dim>& state) {
     }
 }
 
-template FluidForce fluidForce<2>(const Problem<2>&, const State<2>&, const std::vector<int>&,
-                                  const std::vector<int>&);
-template ForceAndMoment reaction<2>(const Problem<2>&, const Controls&, const State<2>&,
-                                    const std::vector<int>&);
+template FluidForce fluidForce<2>(const Problem<2>&, const State<2>&, const std::vector<int>&, const std::vector<int>&);
+template ForceAndMoment reaction<2>(const Problem<2>&, const Controls&, const State<2>&, const std::vector<int>&);
 template class Forces<2>;
 
 }  // namespace pfem

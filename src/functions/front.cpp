@@ -14,9 +14,7 @@ namespace {
 /// Disjoint sets of nodes.
 class Pieces {
 public:
-    explicit Pieces(int n) : parent_(static_cast<std::size_t>(n)) {
-        std::iota(parent_.begin(), parent_.end(), 0);
-    }
+    explicit Pieces(int n) : parent_(static_cast<std::size_t>(n)) { std::iota(parent_.begin(), parent_.end(), 0); }
 
     int of(int i) {
         while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
@@ -56,8 +54,7 @@ std::optional<FrontReading> readFront(const State<Dim>& state, const Vec<Dim>& d
         const double place = x[node].dot(direction);
         front.any = first ? place : std::max(front.any, place);
         first = false;
-        if (connected && (front.node < 0 || place > front.connected))
-            front.connected = place, front.node = node;
+        if (connected && (front.node < 0 || place > front.connected)) front.connected = place, front.node = node;
     };
     for (int i = 0; i < state.nodes.size(); ++i)
         if (wet[i]) consider(i, pieces.of(i) == main);
@@ -69,16 +66,14 @@ std::optional<FrontReading> readFront(const State<Dim>& state, const Vec<Dim>& d
 template <int Dim>
 Front<Dim>::Front(const Dictionary& dict, const FunctionContext<Dim>& context) : context_(context) {
     readEntries(dict, entries_);
-    if (!(entries_.direction.template head<Dim>().norm() > 0))
-        dict.fatal("direction", "the direction has no length");
+    if (!(entries_.direction.template head<Dim>().norm() > 0)) dict.fatal("direction", "the direction has no length");
     if (Dim == 2) demandPlane(dict, "direction", entries_.direction[2]);
 }
 
 template <int Dim>
 void Front<Dim>::start(const State<Dim>&) {
     table_.emplace(context_.folder / "front.dat", context_.precision, context_.resumeAt);
-    table_->comment(
-        "Largest x . direction of the main body of fluid and of any fluid [m]; where the first is");
+    table_->comment("Largest x . direction of the main body of fluid and of any fluid [m]; where the first is");
     table_->header({"Time", "front", "any", "location"});
 }
 

@@ -29,18 +29,23 @@ std::vector<Dictionary> functionEntries(const Dictionary& dict) {
     for (const auto& entry : entries) {
         const std::string name = entry.keyword();
         if (name.empty())
-            throw UserError("a function in the list 'functions' has no name: functions ( name { ... } );", entry.where());
+            throw UserError("a function in the list 'functions' has no name: functions ( name { ... } );",
+                            entry.where());
         if (name[0] == '.' || name.find_first_of("/\"\n") != std::string::npos)
-            throw UserError("'" + name + "' in functions cannot be the name of a folder in postProcessing", entry.where());
-        if (!names.insert(name).second) throw UserError("'" + name + "' is twice in the list 'functions'", entry.where());
+            throw UserError("'" + name + "' in functions cannot be the name of a folder in postProcessing",
+                            entry.where());
+        if (!names.insert(name).second)
+            throw UserError("'" + name + "' is twice in the list 'functions'", entry.where());
     }
     return entries;
 }
 
 void takeAsRead(const Dictionary& entry) {
     for (const auto& key : entry.keys()) {
-        if (entry.isDict(key)) takeAsRead(entry.subDict(key));
-        else entry.reader(key);
+        if (entry.isDict(key))
+            takeAsRead(entry.subDict(key));
+        else
+            entry.reader(key);
     }
 }
 

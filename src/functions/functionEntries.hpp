@@ -7,8 +7,9 @@
 
 namespace pfem {
 
-/// The functions of `functions { a {...} b {...} }` or `functions ( a {...} b {...} );`, each with its name in keyword().
-/// Throws UserError for what is no dictionary, has no name that a folder could have, or a name that another has.
+/// The functions of `functions { a {...} b {...} }` or `functions ( a {...} b {...} );`, each with its name in
+/// keyword(). Throws UserError for what is no dictionary, has no name that a folder could have, or a name that another
+/// has.
 std::vector<Dictionary> functionEntries(const Dictionary& dict);
 
 /// Of a function that is left out, no entry is reported as unused.

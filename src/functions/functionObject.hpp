@@ -18,11 +18,11 @@ namespace pfem {
 /// What a function may know beside the state.
 template <int Dim>
 struct FunctionContext {
-    std::string name;              // the entry's name in `functions`
-    std::filesystem::path folder;  // postProcessing/<name>/<startTime>
-    std::filesystem::path root;    // of the case
-    int precision = 6;             // significant digits of the columns
-    std::string startName;         // name of the time folder at which the run began
+    std::string name;                     // the entry's name in `functions`
+    std::filesystem::path folder;         // postProcessing/<name>/<startTime>
+    std::filesystem::path root;           // of the case
+    int precision = 6;                    // significant digits of the columns
+    std::string startName;                // name of the time folder at which the run began
     std::optional<double> resumeAt = {};  // the exact time at which a run goes on: for Table; none for new tables
 };
 
@@ -68,7 +68,6 @@ std::vector<std::string> functionTypes();
 
 /// Make a function of the type that `dict` names. Throws UserError, for an unknown type with the valid list.
 template <int Dim>
-std::unique_ptr<FunctionObject<Dim>> makeFunction(const Dictionary& dict,
-                                                  const FunctionContext<Dim>& context);
+std::unique_ptr<FunctionObject<Dim>> makeFunction(const Dictionary& dict, const FunctionContext<Dim>& context);
 
 }  // namespace pfem

@@ -12,16 +12,15 @@ namespace {
 
 /// A function of another program, as in a controlDict that serves both, is left out.
 void warnOfForeign(const Dictionary& entry) {
-    std::cerr << "--> PFEM Warning: function '" << entry.keyword() << "' in " << toString(entry.where("type")) << " is left out. "
-              << notValid(entry.get<std::string>("type"), "function type", functionTypes()) << "\n";
+    std::cerr << "--> PFEM Warning: function '" << entry.keyword() << "' in " << toString(entry.where("type"))
+              << " is left out. " << notValid(entry.get<std::string>("type"), "function type", functionTypes()) << "\n";
 }
 
 }  // namespace
 
 template <int Dim>
-FunctionObjects<Dim>::FunctionObjects(const Case& theCase, const Dictionary& dict,
-                                      const std::string& startName, int precision,
-                                      const std::function<bool(const Dictionary& entry)>& wanted,
+FunctionObjects<Dim>::FunctionObjects(const Case& theCase, const Dictionary& dict, const std::string& startName,
+                                      int precision, const std::function<bool(const Dictionary& entry)>& wanted,
                                       std::optional<double> resumeAt) {
     for (const auto& entry : functionEntries(dict)) {
         const bool left = !entry.get("enabled", true) || (wanted && !wanted(entry));
@@ -31,8 +30,9 @@ FunctionObjects<Dim>::FunctionObjects(const Case& theCase, const Dictionary& dic
             continue;
         }
         const std::string name = entry.keyword();
-        const FunctionContext<Dim> context{name, theCase.postProcessing(name, startName), theCase.root(),
-                                           entry.get("writePrecision", precision), startName, resumeAt};
+        const FunctionContext<Dim> context{name,           theCase.postProcessing(name, startName),
+                                           theCase.root(), entry.get("writePrecision", precision),
+                                           startName,      resumeAt};
         functions_.push_back({name, RowControl(entry), makeFunction<Dim>(entry, context)});
     }
 }
@@ -82,7 +82,8 @@ std::map<std::string, std::vector<double>> FunctionObjects<Dim>::memory() const 
 
 template <int Dim>
 bool FunctionObjects<Dim>::wantAppeared() const {
-    return std::any_of(functions_.begin(), functions_.end(), [](const Entry& entry) { return entry.function->wantsAppeared(); });
+    return std::any_of(functions_.begin(), functions_.end(),
+                       [](const Entry& entry) { return entry.function->wantsAppeared(); });
 }
 
 template class FunctionObjects<2>;

@@ -16,10 +16,10 @@ class FunctionObjects {
 public:
     /// `dict`: the dictionary that holds `functions`. `startName`: the time folder at which the run began;
     /// the tables go to postProcessing/<name>/<startName>, or continue those of the run before when `resumeAt` is
-    /// the exact time at which it goes on. `wanted`: which entries of `functions` (empty: all). Those of a foreign type are
-    /// left out with a warning. Throws UserError.
-    FunctionObjects(const Case& theCase, const Dictionary& dict, const std::string& startName,
-                    int precision = 6, const std::function<bool(const Dictionary& entry)>& wanted = {},
+    /// the exact time at which it goes on. `wanted`: which entries of `functions` (empty: all). Those of a foreign type
+    /// are left out with a warning. Throws UserError.
+    FunctionObjects(const Case& theCase, const Dictionary& dict, const std::string& startName, int precision = 6,
+                    const std::function<bool(const Dictionary& entry)>& wanted = {},
                     std::optional<double> resumeAt = {});
 
     /// With the state at the start. Rows are written only when that is the very first of the case (index 0),
@@ -32,7 +32,8 @@ public:
     /// After each step: those whose writeControl says so write a row. `folderDue`: for writeControl writeTime.
     void execute(const State<Dim>& state, const FolderDue& folderDue = {});
 
-    /// All of them write a row, whatever their writeControl (utilities that work on time folders), from timeStart to timeEnd.
+    /// All of them write a row, whatever their writeControl (utilities that work on time folders), from timeStart to
+    /// timeEnd.
     void executeAll(const State<Dim>& state);
 
     /// What the functions need to go on after a restart, for State::memory.

@@ -61,8 +61,7 @@ State<Dim> initialState(const std::filesystem::path& root, const State<Dim>& sta
 }
 
 template <int Dim>
-std::unique_ptr<FunctionObject<Dim>> makeFunction(const Dictionary& dict,
-                                                  const FunctionContext<Dim>& context) {
+std::unique_ptr<FunctionObject<Dim>> makeFunction(const Dictionary& dict, const FunctionContext<Dim>& context) {
     const auto type = dict.get<std::string>("type");
     const auto entry = table<Dim>().find(type);
     if (entry == table<Dim>().end()) dict.fatal("type", notValid(type, "function type", functionTypes()));

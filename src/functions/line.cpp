@@ -34,8 +34,8 @@ void Line<Dim>::execute(const State<Dim>& state) {
         const Eigen::Vector3d point = (1 - part) * entries_.start + part * entries_.end;
         const Samples<Dim> at = sampleAt<Dim>(state, point.head<Dim>());
         text += fmt::format("{:.{}g} {:.{}g} {:.{}g} {:.{}g}", part * (entries_.end - entries_.start).norm(),
-                            context_.precision, point[0], context_.precision, point[1], context_.precision,
-                            point[2], context_.precision);
+                            context_.precision, point[0], context_.precision, point[1], context_.precision, point[2],
+                            context_.precision);
         for (const auto& field : fields_)
             for (const double value : sampledValue<Dim>(field, state.nodes, at, dry))
                 text += fmt::format(" {:.{}g}", value, context_.precision);

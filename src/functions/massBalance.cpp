@@ -23,8 +23,7 @@ double fluidMass(const State<Dim>& state, const std::map<std::string, double>& d
     const auto& cells = state.mesh.fluid;
     std::vector<double> volumes(state.mesh.materials.size(), 0.0);
     for (std::size_t e = 0; e < cells.nodes.size(); ++e)
-        volumes.at(static_cast<std::size_t>(cells.material[e])) +=
-            simplexMeasure<Dim>(state.nodes.x, cells.nodes[e]);
+        volumes.at(static_cast<std::size_t>(cells.material[e])) += simplexMeasure<Dim>(state.nodes.x, cells.nodes[e]);
     const auto compression = state.ledger.find("compression");
     if (!volumes.empty() && !cells.material.empty())
         volumes[static_cast<std::size_t>(*std::min_element(cells.material.begin(), cells.material.end()))] +=
@@ -34,8 +33,7 @@ double fluidMass(const State<Dim>& state, const std::map<std::string, double>& d
         if (volumes[m] == 0) continue;
         const auto rho = densities.find(state.mesh.materials[m]);
         if (rho == densities.end())
-            throw UserError("material '" + state.mesh.materials[m] +
-                            "' has no entry 'rho' in constant/materials");
+            throw UserError("material '" + state.mesh.materials[m] + "' has no entry 'rho' in constant/materials");
         mass += rho->second * volumes[m];
     }
     return mass;
@@ -59,7 +57,8 @@ MassBalance MassAccount<Dim>::balance(const State<Dim>& state) const {
     for (const auto& [cause, volume] : initialLedger_) b.causes[cause] -= volume;
     for (const auto& [cause, volume] : b.causes) b.sumOfCauses += volume;
     const auto gone = b.causes.find("gone");
-    b.withoutGone = b.relativeChange - (gone != b.causes.end() && initialVolume_ > 0 ? gone->second / initialVolume_ : 0);
+    b.withoutGone =
+        b.relativeChange - (gone != b.causes.end() && initialVolume_ > 0 ? gone->second / initialVolume_ : 0);
     b.unexplained = b.volume - initialVolume_ - b.sumOfCauses;
     return b;
 }

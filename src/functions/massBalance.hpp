@@ -13,9 +13,9 @@ namespace pfem {
 /// Density of each material in <case>/constant/materials that has an entry `rho` [kg/m3]. Throws UserError.
 std::map<std::string, double> readDensities(const std::filesystem::path& caseRoot);
 
-/// Density times the volume that the fluid would have under the pressures of the start: totalVolume less what the ledger's
-/// cause `compression` has taken [kg per m depth (2D), kg]. Isolated particles count as the first fluid material.
-/// Throws UserError when a material has no density.
+/// Density times the volume that the fluid would have under the pressures of the start: totalVolume less what the
+/// ledger's cause `compression` has taken [kg per m depth (2D), kg]. Isolated particles count as the first fluid
+/// material. Throws UserError when a material has no density.
 template <int Dim>
 double fluidMass(const State<Dim>& state, const std::map<std::string, double>& densities);
 

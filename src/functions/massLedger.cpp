@@ -74,7 +74,8 @@ void MassLedger<Dim>::start(const State<Dim>& state) {
     table_.reset();
     rowsUntil_.reset();
     file_ = context_.folder / "fluidVolume.dat";
-    if (!context_.resumeAt) return beginTable();  // also when its first row comes much later: a restart before that finds it here
+    if (!context_.resumeAt)
+        return beginTable();  // also when its first row comes much later: a restart before that finds it here
     const auto previous = previousTable(file_);
     if (!previous) return;
     const auto titles = titlesOf(readTable(*previous, *context_.resumeAt));
@@ -114,7 +115,9 @@ void MassLedger<Dim>::beginTable() {
         for (const auto& title : titles) columns.back().push_back(row.count(title) ? row.at(title) : "0");
     }
     table_.emplace(file_, context_.precision, 0.0);
-    table_->comment("Fluid volume [m2 (2D), m3], mass [kg/m, kg] and cumulative change of volume by cause; compression is no change of mass");
+    table_->comment(
+        "Fluid volume [m2 (2D), m3], mass [kg/m, kg] and cumulative change of volume by cause; compression is no "
+        "change of mass");
     table_->header(titles);
     table_->replaceRows(columns);
 }

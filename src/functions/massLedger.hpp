@@ -19,14 +19,15 @@ struct MassLedgerEntries {
     template <class Visitor>
     void entries(Visitor& v) {
         v("writeFields", writeFields, "-",
-          "fluid.vtu of the run's time folders gets nodal fields (ledgerSolver, ledgerContact, ...): the volume that appeared "
+          "fluid.vtu of the run's time folders gets nodal fields (ledgerSolver, ledgerContact, ...): the volume that "
+          "appeared "
           "around each node since the time folder before, by cause");
     }
 };
 
-/// Writes postProcessing/<name>/<startTime>/fluidVolume.dat: time, volume, mass (that of the volume without compression), its relative change since
-/// the first time of the case, one column per cause of the ledger, their sum, and what the sum leaves
-/// unexplained. The density is that of constant/materials.
+/// Writes postProcessing/<name>/<startTime>/fluidVolume.dat: time, volume, mass (that of the volume without
+/// compression), its relative change since the first time of the case, one column per cause of the ledger, their sum,
+/// and what the sum leaves unexplained. The density is that of constant/materials.
 template <int Dim>
 class MassLedger : public FunctionObject<Dim> {
 public:

@@ -22,7 +22,6 @@ void postProcess(const Case& theCase, FunctionObjects<Dim>& functions, const std
     }
 }
 
-template void postProcess<2>(const Case&, FunctionObjects<2>&, const std::vector<TimeFolder>&, bool,
-                             std::ostream&);
+template void postProcess<2>(const Case&, FunctionObjects<2>&, const std::vector<TimeFolder>&, bool, std::ostream&);
 
 }  // namespace pfem

@@ -23,8 +23,7 @@ struct Weight {
 
     double zeroth(double s) const {
         if (!disc) return s / (2 * R);
-        return (s * std::sqrt(std::max(0.0, R * R - s * s)) +
-                R * R * std::asin(std::clamp(s / R, -1.0, 1.0))) /
+        return (s * std::sqrt(std::max(0.0, R * R - s * s)) + R * R * std::asin(std::clamp(s / R, -1.0, 1.0))) /
                (M_PI * R * R);
     }
     double first(double s) const {
@@ -62,7 +61,8 @@ std::pair<Face<Dim>, Vec<Dim>> placeOf(const SensorAnchor<Dim>& anchor, const No
     Face<Dim> face{};
     Vec<Dim> centre = Vec<Dim>::Zero();
     for (std::size_t k = 0; k < Dim; ++k) {
-        face[k] = static_cast<int>(std::lower_bound(nodes.id.begin(), nodes.id.end(), anchor.ids[k]) - nodes.id.begin());
+        face[k] =
+            static_cast<int>(std::lower_bound(nodes.id.begin(), nodes.id.end(), anchor.ids[k]) - nodes.id.begin());
         centre += anchor.weights[static_cast<Eigen::Index>(k)] * nodes.x[face[k]];
     }
     return {face, centre};
@@ -90,8 +90,8 @@ Topology<Dim> topologyAround(const State<Dim>& state, const std::vector<PatchKin
 }  // namespace
 
 template <int Dim>
-SensorReading readSensor(const State<Dim>& state, const Topology<Dim>& topology,
-                         const SensorAnchor<Dim>& anchor, double width, bool disc) {
+SensorReading readSensor(const State<Dim>& state, const Topology<Dim>& topology, const SensorAnchor<Dim>& anchor,
+                         double width, bool disc) {
     const auto& nodes = state.nodes;
     const auto [face, centre] = placeOf<Dim>(anchor, nodes);
     // out of the fluid: walls have it on their left, solids have themselves on the left
@@ -133,17 +133,15 @@ void PressureSensor<Dim>::start(const State<Dim>& state) {
     for (const auto& point : entries_.points) {
         const auto [anchor, distance] = fixSensor<Dim>(initial, kinds_, point.head<Dim>());
         if (!(distance <= entries_.width))
-            dict_.fatal(
-                "points",
-                std::isfinite(distance)
-                    ? fmt::format("the sensor at ({} {} {}) is {:.3g} m away from the nearest wall or solid",
-                                  point[0], point[1], point[2], distance)
-                    : "there is neither a wall nor a solid that sensors could be fixed to");
+            dict_.fatal("points",
+                        std::isfinite(distance)
+                            ? fmt::format("the sensor at ({} {} {}) is {:.3g} m away from the nearest wall or solid",
+                                          point[0], point[1], point[2], distance)
+                            : "there is neither a wall nor a solid that sensors could be fixed to");
         anchors_.push_back(anchor);
     }
     filters_.assign(anchors_.size(), TimeFilter(entries_.filter, entries_.filterTime));
-    if (const auto found = state.memory.find(context_.name); found != state.memory.end())
-        recall(found->second);
+    if (const auto found = state.memory.find(context_.name); found != state.memory.end()) recall(found->second);
     p_ = sensorTable(context_, "p", "Sensor", entries_.points);
     wet_ = sensorTable(context_, "wet", "Sensor", entries_.points);
     if (entries_.filter != "none") filtered_ = sensorTable(context_, "pFiltered", "Sensor", entries_.points);
@@ -156,8 +154,7 @@ void PressureSensor<Dim>::advance(const State<Dim>& state) {
     const auto topology = topologyAround<Dim>(state, kinds_, places, entries_.width);
     readings_.clear();
     for (std::size_t i = 0; i < anchors_.size(); ++i) {
-        readings_.push_back(
-            readSensor<Dim>(state, topology, anchors_[i], entries_.width, entries_.shape == "disc"));
+        readings_.push_back(readSensor<Dim>(state, topology, anchors_[i], entries_.width, entries_.shape == "disc"));
         filters_[i].advance(state.time.value, readings_[i].p);
     }
 }
@@ -202,10 +199,8 @@ void PressureSensor<Dim>::recall(const std::vector<double>& memory) {
     }
 }
 
-template std::pair<SensorAnchor<2>, double> fixSensor<2>(const State<2>&, const std::vector<PatchKind>&,
-                                                         const Vec<2>&);
-template SensorReading readSensor<2>(const State<2>&, const Topology<2>&, const SensorAnchor<2>&, double,
-                                     bool);
+template std::pair<SensorAnchor<2>, double> fixSensor<2>(const State<2>&, const std::vector<PatchKind>&, const Vec<2>&);
+template SensorReading readSensor<2>(const State<2>&, const Topology<2>&, const SensorAnchor<2>&, double, bool);
 template class PressureSensor<2>;
 
 }  // namespace pfem

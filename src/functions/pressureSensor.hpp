@@ -58,8 +58,8 @@ std::pair<SensorAnchor<Dim>, double> fixSensor(const State<Dim>& initial, const 
 
 /// Exact mean of the piecewise linear pressure of the wet faces in the sensor's plane.
 template <int Dim>
-SensorReading readSensor(const State<Dim>& state, const Topology<Dim>& topology,
-                         const SensorAnchor<Dim>& anchor, double width, bool disc);
+SensorReading readSensor(const State<Dim>& state, const Topology<Dim>& topology, const SensorAnchor<Dim>& anchor,
+                         double width, bool disc);
 
 /// Writes postProcessing/<name>/<startTime>/p (a dry sensor gives -1e+300), wet (the part of each sensor that
 /// the fluid touches) and, with a filter, pFiltered; in the form of OpenFOAM's probes.

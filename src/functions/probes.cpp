@@ -36,8 +36,7 @@ void Probes<Dim>::start(const State<Dim>& state) {
                             locate<Dim>(state.mesh.solid, state.nodes.x, point.head<Dim>()));
     }
     tables_.clear();
-    for (const auto& field : fields_)
-        tables_.push_back(sensorTable(context_, field.name, "Probe", points_, found));
+    for (const auto& field : fields_) tables_.push_back(sensorTable(context_, field.name, "Probe", points_, found));
 }
 
 template <int Dim>

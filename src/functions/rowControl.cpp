@@ -8,9 +8,7 @@ namespace pfem {
 
 namespace {
 
-bool isWriteTime(const std::string& mode) {
-    return mode == "writeTime" || mode == "outputTime";
-}
+bool isWriteTime(const std::string& mode) { return mode == "writeTime" || mode == "outputTime"; }
 
 }  // namespace
 
@@ -30,11 +28,13 @@ RowControl::RowControl(const Dictionary& function) {
     const bool oldInterval = !function.found("writeInterval") && function.found("outputInterval");
     const double interval = oldInterval ? entries_.outputInterval : entries_.writeInterval;
     const char* key = oldInterval ? "outputInterval" : "writeInterval";
-    if (entries_.timeEnd < entries_.timeStart) function.fatal("timeEnd", "'timeEnd' is before 'timeStart': there would be no rows");
+    if (entries_.timeEnd < entries_.timeStart)
+        function.fatal("timeEnd", "'timeEnd' is before 'timeStart': there would be no rows");
     entries_.writeInterval = interval;
     if (isWriteTime(mode)) {
         if (interval != std::floor(interval) || interval > 1e9)
-            function.fatal(key, std::string("'") + key + "' must be a whole number of time folders with writeControl " + mode);
+            function.fatal(
+                key, std::string("'") + key + "' must be a whole number of time folders with writeControl " + mode);
         return;
     }
     try {

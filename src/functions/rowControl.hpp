@@ -23,14 +23,16 @@ struct RowEntries {
     template <class Visitor>
     void entries(Visitor& v) {
         v("writeControl", writeControl, "-",
-          "what writeInterval means; adjustable: as runTime, steps are fitted to the time folders alone; writeTime: with the time "
+          "what writeInterval means; adjustable: as runTime, steps are fitted to the time folders alone; writeTime: "
+          "with the time "
           "folders and at the end of the run (outputTime is the old word)",
           oneOf(modes()));
         v("writeInterval", writeInterval, "steps, s or folders", "distance of the rows", positive);
-        v("timeStart", timeStart, "s", "no rows before; what is summed or filtered over time begins with the run all the same");
+        v("timeStart", timeStart, "s",
+          "no rows before; what is summed or filtered over time begins with the run all the same");
         v("timeEnd", timeEnd, "s", "no rows after it");
-        v("executeControl", executeControl, "-", "accepted: sums and filters take in every step, rows come by writeControl",
-          oneOf(modes()));
+        v("executeControl", executeControl, "-",
+          "accepted: sums and filters take in every step, rows come by writeControl", oneOf(modes()));
         v("executeInterval", executeInterval, "steps, s or folders", "accepted, as executeControl", positive);
         v("outputControl", outputControl, "-", "the old word for writeControl", oneOf(modes()));
         v("outputInterval", outputInterval, "steps, s or folders", "the old word for writeInterval", positive);

@@ -6,13 +6,12 @@ namespace pfem {
 
 template <int Dim>
 Samples<Dim> sampleAt(const State<Dim>& state, const Vec<Dim>& point) {
-    return {locate<Dim>(state.mesh.fluid, state.nodes.x, point),
-            locate<Dim>(state.mesh.solid, state.nodes.x, point)};
+    return {locate<Dim>(state.mesh.fluid, state.nodes.x, point), locate<Dim>(state.mesh.solid, state.nodes.x, point)};
 }
 
 template <int Dim>
-std::vector<double> sampledValue(const NodalField<Dim>& field, const Nodes<Dim>& nodes,
-                                 const Samples<Dim>& at, double outside) {
+std::vector<double> sampledValue(const NodalField<Dim>& field, const Nodes<Dim>& nodes, const Samples<Dim>& at,
+                                 double outside) {
     const auto& place = at.inFluid && field.region != Region::solid ? at.inFluid : at.inSolid;
     const bool inside = place && (&place == &at.inFluid || field.region != Region::fluid);
     if (!inside) return std::vector<double>(static_cast<std::size_t>(field.components), outside);
@@ -38,8 +37,7 @@ std::vector<NodalField<Dim>> nodalFields(const Dictionary& dict, const std::vect
 }
 
 template Samples<2> sampleAt<2>(const State<2>&, const Vec<2>&);
-template std::vector<double> sampledValue<2>(const NodalField<2>&, const Nodes<2>&, const Samples<2>&,
-                                             double);
+template std::vector<double> sampledValue<2>(const NodalField<2>&, const Nodes<2>&, const Samples<2>&, double);
 template std::vector<NodalField<2>> nodalFields<2>(const Dictionary&, const std::vector<std::string>&);
 
 }  // namespace pfem

@@ -21,8 +21,8 @@ Samples<Dim> sampleAt(const State<Dim>& state, const Vec<Dim>& point);
 /// Linear in the triangle; of the fluid or else of the solid, as the field has a meaning there; else
 /// `outside` in every component.
 template <int Dim>
-std::vector<double> sampledValue(const NodalField<Dim>& field, const Nodes<Dim>& nodes,
-                                 const Samples<Dim>& at, double outside);
+std::vector<double> sampledValue(const NodalField<Dim>& field, const Nodes<Dim>& nodes, const Samples<Dim>& at,
+                                 double outside);
 
 /// The fields of the entry `fields`. Throws UserError with the valid names.
 template <int Dim>

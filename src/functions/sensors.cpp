@@ -11,8 +11,9 @@ template <int Dim>
 void warnOutOfPlane(const Dictionary& dict, const std::string& key, const std::vector<Eigen::Vector3d>& points) {
     if (Dim != 2 || std::all_of(points.begin(), points.end(), [](const auto& x) { return x[2] == 0; })) return;
     const Location where = dict.where(key);
-    std::cerr << fmt::format("--> PFEM Warning: z in entry '{}' in {}:{} is not heeded: the case lies in the plane of x and y\n", key,
-                             where.file, where.line);
+    std::cerr << fmt::format(
+        "--> PFEM Warning: z in entry '{}' in {}:{} is not heeded: the case lies in the plane of x and y\n", key,
+        where.file, where.line);
 }
 
 template <int Dim>
@@ -22,9 +23,8 @@ Table sensorTable(const FunctionContext<Dim>& context, const std::string& file, 
     std::vector<std::string> titles{word};
     for (std::size_t i = 0; i < points.size(); ++i) {
         const bool present = found.empty() || found[i];
-        table.comment(fmt::format("{} {} ({} {} {}){}", word, i, table.number(points[i][0]),
-                                  table.number(points[i][1]), table.number(points[i][2]),
-                                  present ? "" : "  # Not Found"));
+        table.comment(fmt::format("{} {} ({} {} {}){}", word, i, table.number(points[i][0]), table.number(points[i][1]),
+                                  table.number(points[i][2]), present ? "" : "  # Not Found"));
         titles.push_back(std::to_string(i));
     }
     table.header(titles);

@@ -18,13 +18,13 @@ template <int Dim>
 double contraction(const Patches<Dim>& patches, const std::vector<Tensor<Dim>>& stress,
                    const std::vector<Tensor<Dim>>& L) {
     double power = 0;
-    for (int e = 0; e < patches.nCells(); ++e)
-        power += patches.element[e].measure * stress[e].cwiseProduct(L[e]).sum();
+    for (int e = 0; e < patches.nCells(); ++e) power += patches.element[e].measure * stress[e].cwiseProduct(L[e]).sum();
     return power;
 }
 
-/// Power of walls and clamps, and what friction takes at walls. Walls: - force of the fluid on them times the velocity of its nodes there, whose component along the force
-/// is the wall's; friction at a wall that slides off is dissipation. Clamps: their force times their velocity.
+/// Power of walls and clamps, and what friction takes at walls. Walls: - force of the fluid on them times the velocity
+/// of its nodes there, whose component along the force is the wall's; friction at a wall that slides off is
+/// dissipation. Clamps: their force times their velocity.
 template <int Dim>
 EnergyPowers wallPower(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state) {
     EnergyPowers result;
@@ -61,8 +61,8 @@ double elasticEnergy(const Problem<Dim>& problem, const Controls& controls, cons
     const bool hyperelastic = controls.solid.stressUpdate == "neoHookean";
     const bool split = splitsEnergy(controls.solid);
     const auto around = nodeToCells<Dim>(cells.nodes, nodes.size());
-    const auto patches = makePatches<Dim>(cells.nodes, around, hyperelastic ? nodes.X : nodes.x,
-                                          controls.integration.scheme());
+    const auto patches =
+        makePatches<Dim>(cells.nodes, around, hyperelastic ? nodes.X : nodes.x, controls.integration.scheme());
     const auto F = toPoints<Dim>(patches, elementGradient<Dim>(patches, nodes.x));
     const auto sigma = storedAtPoints<Dim>(patches, nodes.sigma, cells.sigma);
     double sum = 0;
@@ -73,7 +73,7 @@ double elasticEnergy(const Problem<Dim>& problem, const Controls& controls, cons
         const double trace = s[0] + s[1] + s[2];
         double squares = 0;
         for (int c = 0; c < nStress<Dim>; ++c) squares += (c < 3 ? 1 : 2) * s[c] * s[c];
-        const double density = !hyperelastic       ? 0.5 / m.E * ((1 + m.nu) * squares - m.nu * trace * trace)
+        const double density = !hyperelastic      ? 0.5 / m.E * ((1 + m.nu) * squares - m.nu * trace * trace)
                                : m.law != nullptr ? lawEnergy<Dim>(*m.law, F[p])
                                : split            ? neoHookeanShearEnergy<Dim>(m, F[p])
                                                   : neoHookeanEnergy<Dim>(m, F[p]);
@@ -107,22 +107,20 @@ EnergyPowers energyPowers(const Problem<Dim>& problem, const Controls& controls,
     const auto& mesh = state.mesh;
     EnergyPowers powers;
     const auto aroundFluid = nodeToCells<Dim>(mesh.fluid.nodes, nodes.size());
-    const auto fluid =
-        makePatches<Dim>(mesh.fluid.nodes, aroundFluid, nodes.x, controls.integration.scheme());
+    const auto fluid = makePatches<Dim>(mesh.fluid.nodes, aroundFluid, nodes.x, controls.integration.scheme());
     const auto mu = flowViscosity<Dim>(problem, mesh.fluid, fluid, nodes.v).mu;
     powers.viscous = contraction<Dim>(fluid, fluidTangentStress<Dim>(fluid, {mu, {}, {}}, nodes.v, {}),
                                       elementGradient<Dim>(fluid, nodes.v));
 
     // with stress zero what is left of the solid's element stress is the damper's
     const auto aroundSolid = nodeToCells<Dim>(mesh.solid.nodes, nodes.size());
-    const auto solid =
-        makePatches<Dim>(mesh.solid.nodes, aroundSolid, nodes.x, controls.integration.scheme());
+    const auto solid = makePatches<Dim>(mesh.solid.nodes, aroundSolid, nodes.x, controls.integration.scheme());
     SolidControls damperOnly = controls.solid;
     damperOnly.stressUpdate = "rotatedMidpoint";
     const SolidStress<Dim> none{std::vector<Stress<Dim>>(nStressPoints<Dim>(solid), Stress<Dim>::Zero()), {}};
-    powers.damper = contraction<Dim>(
-        solid, solidElementStress<Dim>(problem, damperOnly, mesh.solid, solid, solid, none, nodes),
-        elementGradient<Dim>(solid, nodes.v));
+    powers.damper =
+        contraction<Dim>(solid, solidElementStress<Dim>(problem, damperOnly, mesh.solid, solid, solid, none, nodes),
+                         elementGradient<Dim>(solid, nodes.v));
     const auto walls = wallPower<Dim>(problemAt<Dim>(state.time.value, problem), controls, state);
     powers.walls = walls.walls;
     powers.viscous += walls.viscous;

@@ -21,8 +21,8 @@ double elasticEnergy(const Problem<Dim>& problem, const Controls& controls, cons
 template <int Dim>
 StoredEnergy storedEnergy(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state);
 
-/// Dissipation sum_e |e| s_e : grad v by viscosity (and friction at walls) and by the zig-zag damper, power of walls and clamps that
-/// move.
+/// Dissipation sum_e |e| s_e : grad v by viscosity (and friction at walls) and by the zig-zag damper, power of walls
+/// and clamps that move.
 template <int Dim>
 EnergyPowers energyPowers(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state);
 

@@ -30,8 +30,7 @@ private:
     std::string kind_;
     double T_;
     double value_ = 0;
-    std::deque<std::pair<double, double>>
-        samples_;  // (time, signal): what the window needs; lowPass: the last
+    std::deque<std::pair<double, double>> samples_;  // (time, signal): what the window needs; lowPass: the last
 };
 
 }  // namespace pfem

@@ -13,28 +13,25 @@ namespace {
 using Stretch = std::pair<double, double>;  // along the gauge, low to high
 
 /// The stretch of the line foot + s direction within a triangle; a line along an edge counts as inside.
-std::optional<Stretch> cut(const std::array<Vec<2>, 3>& corners, const Vec<2>& foot,
-                           const Vec<2>& direction) {
+std::optional<Stretch> cut(const std::array<Vec<2>, 3>& corners, const Vec<2>& foot, const Vec<2>& direction) {
     const Vec<2> normal(-direction[1], direction[0]);
     std::array<double, 3> off{}, along{};
     for (std::size_t k = 0; k < 3; ++k) {
         off[k] = (corners[k] - foot).dot(normal);
         along[k] = (corners[k] - foot).dot(direction);
     }
-    const double size = std::max({std::abs(off[1] - off[0]), std::abs(off[2] - off[0]),
-                                  std::abs(along[1] - along[0]), std::abs(along[2] - along[0])});
+    const double size = std::max({std::abs(off[1] - off[0]), std::abs(off[2] - off[0]), std::abs(along[1] - along[0]),
+                                  std::abs(along[2] - along[0])});
     for (double& d : off)
         if (std::abs(d) <= 1e-9 * size) d = 0;
     std::optional<Stretch> stretch;
     const auto include = [&](double s) {
-        stretch =
-            stretch ? Stretch{std::min(stretch->first, s), std::max(stretch->second, s)} : Stretch{s, s};
+        stretch = stretch ? Stretch{std::min(stretch->first, s), std::max(stretch->second, s)} : Stretch{s, s};
     };
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t next = (k + 1) % 3;
         if (off[k] == 0) include(along[k]);
-        if (off[k] * off[next] < 0)
-            include(along[k] + (along[next] - along[k]) * off[k] / (off[k] - off[next]));
+        if (off[k] * off[next] < 0) include(along[k] + (along[next] - along[k]) * off[k] / (off[k] - off[next]));
     }
     return stretch;
 }
@@ -42,8 +39,7 @@ std::optional<Stretch> cut(const std::array<Vec<2>, 3>& corners, const Vec<2>& f
 }  // namespace
 
 template <int Dim>
-std::optional<GaugeReading> readGauge(const State<Dim>& state, const Vec<Dim>& foot,
-                                      const Vec<Dim>& direction) {
+std::optional<GaugeReading> readGauge(const State<Dim>& state, const Vec<Dim>& foot, const Vec<Dim>& direction) {
     std::vector<Stretch> stretches;
     const Vec<Dim> normal(-direction[1], direction[0]);
     std::vector<double> off;
@@ -82,8 +78,7 @@ template <int Dim>
 WaveGauge<Dim>::WaveGauge(const Dictionary& dict, const FunctionContext<Dim>& context) : context_(context) {
     readEntries(dict, entries_);
     if (entries_.points.empty()) dict.fatal("points", "no gauge: points ((0.5 0 0) ...);");
-    if (!(entries_.direction.template head<Dim>().norm() > 0))
-        dict.fatal("direction", "the direction has no length");
+    if (!(entries_.direction.template head<Dim>().norm() > 0)) dict.fatal("direction", "the direction has no length");
     if (Dim == 2) demandPlane(dict, "direction", entries_.direction[2]);
     warnOutOfPlane<Dim>(dict, "points", entries_.points);
     entries_.direction.normalize();
@@ -100,8 +95,7 @@ template <int Dim>
 void WaveGauge<Dim>::execute(const State<Dim>& state) {
     std::vector<double> elevation, highest, depth;
     for (const auto& point : entries_.points) {
-        const auto reading =
-            readGauge<Dim>(state, point.head<Dim>(), entries_.direction.head<Dim>().normalized());
+        const auto reading = readGauge<Dim>(state, point.head<Dim>(), entries_.direction.head<Dim>().normalized());
         elevation.push_back(reading ? reading->elevation : dry);
         highest.push_back(reading ? reading->highest : dry);
         depth.push_back(reading ? reading->depth : dry);

@@ -30,8 +30,7 @@ struct GaugeReading {
 
 /// Exact for straight pieces of surface. `direction`: a unit vector.
 template <int Dim>
-std::optional<GaugeReading> readGauge(const State<Dim>& state, const Vec<Dim>& foot,
-                                      const Vec<Dim>& direction);
+std::optional<GaugeReading> readGauge(const State<Dim>& state, const Vec<Dim>& foot, const Vec<Dim>& direction);
 
 /// Writes postProcessing/<name>/<startTime>/ elevation, highest and depth in the form of OpenFOAM's probes; a
 /// dry gauge gives -1e+300.

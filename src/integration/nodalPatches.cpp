@@ -5,8 +5,8 @@
 namespace pfem {
 
 template <int Dim>
-Patches<Dim> makePatches(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around,
-                         const Points<Dim>& x, Integration scheme) {
+Patches<Dim> makePatches(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around, const Points<Dim>& x,
+                         Integration scheme) {
     Patches<Dim> patches;
     patches.scheme = scheme;
     patches.cells = &cells;
@@ -30,8 +30,7 @@ void updatePatches(Patches<Dim>& patches, const Points<Dim>& x) {
 #pragma omp for schedule(static)
         for (int i = 0; i < nNodes; ++i) {
             double sum = 0;
-            for (int s = around.start[i]; s < around.start[i + 1]; ++s)
-                sum += patches.element[around.cell[s]].measure;
+            for (int s = around.start[i]; s < around.start[i + 1]; ++s) sum += patches.element[around.cell[s]].measure;
             patches.volume[i] = sum / (Dim + 1);
         }
     }
@@ -107,7 +106,7 @@ void addPressureForce(const Patches<Dim>& patches, const std::vector<double>& p,
 }
 
 #define PFEM_INSTANTIATE(D)                                                                                  \
-    template Patches<D> makePatches<D>(const std::vector<Simplex<D>>&, const NodeToCells&, const Points<D>&,  \
+    template Patches<D> makePatches<D>(const std::vector<Simplex<D>>&, const NodeToCells&, const Points<D>&, \
                                        Integration);                                                         \
     template void updatePatches<D>(Patches<D>&, const Points<D>&);                                           \
     template std::vector<Tensor<D>> elementGradient<D>(const Patches<D>&, const Points<D>&);                 \

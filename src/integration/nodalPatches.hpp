@@ -31,8 +31,8 @@ struct Patches {
 
 /// Patches over `cells` (kept by reference), evaluated at the positions x.
 template <int Dim>
-Patches<Dim> makePatches(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around,
-                         const Points<Dim>& x, Integration scheme = Integration::nodal);
+Patches<Dim> makePatches(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around, const Points<Dim>& x,
+                         Integration scheme = Integration::nodal);
 
 /// Volumes and gradients in the configuration x.
 template <int Dim>

@@ -21,9 +21,7 @@ namespace {
     throw UserError(what + " \"" + path.string() + "\": " + reason, {path.string(), 0});
 }
 
-std::string systemReason() {
-    return std::strerror(errno);
-}
+std::string systemReason() { return std::strerror(errno); }
 
 /// Swap two names in one instant where the file system can, otherwise in two.
 void exchange(const fs::path& fresh, const fs::path& old) {
@@ -35,9 +33,7 @@ void exchange(const fs::path& fresh, const fs::path& old) {
     fs::rename(aside, fresh);
 }
 
-fs::path parentOf(const fs::path& path) {
-    return path.has_parent_path() ? path.parent_path() : fs::path(".");
-}
+fs::path parentOf(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
 
 }  // namespace
 
@@ -86,8 +82,7 @@ void writeAtomically(const fs::path& name, const std::string& content) {
 
 std::string readText(const fs::path& file) {
     std::error_code ignored;
-    if (!fs::exists(file, ignored))
-        throw UserError("cannot find file \"" + file.string() + "\"", {file.string(), 0});
+    if (!fs::exists(file, ignored)) throw UserError("cannot find file \"" + file.string() + "\"", {file.string(), 0});
     errno = 0;
     std::ifstream stream(file, std::ios::binary);
     std::ostringstream text;

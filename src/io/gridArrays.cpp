@@ -21,8 +21,8 @@ vtkAbstractArray* CheckedArrays::get(const std::string& name, int components) co
     vtkAbstractArray* array = data_->GetAbstractArray(name.c_str());
     if (array == nullptr) fail("array '" + name + "' is missing");
     if (array->GetNumberOfComponents() != components)
-        fail("array '" + name + "' has " + std::to_string(array->GetNumberOfComponents()) +
-             " components, not " + std::to_string(components));
+        fail("array '" + name + "' has " + std::to_string(array->GetNumberOfComponents()) + " components, not " +
+             std::to_string(components));
     if (tuples_ >= 0 && array->GetNumberOfTuples() != tuples_)
         fail("array '" + name + "' has " + std::to_string(array->GetNumberOfTuples()) + " values, not " +
              std::to_string(tuples_));
@@ -33,8 +33,7 @@ vtkDoubleArray* CheckedArrays::doubles(const std::string& name, int components) 
     auto* array = vtkDoubleArray::SafeDownCast(get(name, components));
     if (array == nullptr) fail("array '" + name + "' is not of type Float64");
     for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
-        if (!std::isfinite(array->GetValue(i)))
-            fail("array '" + name + "' contains a value that is not finite");
+        if (!std::isfinite(array->GetValue(i))) fail("array '" + name + "' contains a value that is not finite");
     return array;
 }
 

@@ -36,10 +36,9 @@ bool stressOutsideSolid(const State<Dim>& state, const NodeSet& set, const std::
 /// Stresses in VTK's six components; `at(i)` is the index of tuple i.
 template <int Dim, class Index>
 vtkSmartPointer<vtkDoubleArray> makeStress(const std::vector<Stress<Dim>>& stress, int n, const Index& at) {
-    auto sigma = makeArray<vtkDoubleArray>(
-        "sigma", 6, n, [&](int i, int c) { return c < nStress<Dim> ? stress[at(i)][c] : 0.0; });
-    for (int c = 0; c < 6; ++c)
-        sigma->SetComponentName(c, stateGrid::tensorComponents[static_cast<std::size_t>(c)]);
+    auto sigma = makeArray<vtkDoubleArray>("sigma", 6, n,
+                                           [&](int i, int c) { return c < nStress<Dim> ? stress[at(i)][c] : 0.0; });
+    for (int c = 0; c < 6; ++c) sigma->SetComponentName(c, stateGrid::tensorComponents[static_cast<std::size_t>(c)]);
     return sigma;
 }
 
@@ -53,14 +52,14 @@ void addNodes(vtkUnstructuredGrid* grid, const State<Dim>& state, const NodeSet&
 
     auto points = vtkSmartPointer<vtkPoints>::New();
     points->SetDataTypeToDouble();
-    points->SetData(makeArray<vtkDoubleArray>("Points", 3, n,
-                                              [&](int i, int c) { return component<Dim>(all.x[at(i)], c); }));
+    points->SetData(
+        makeArray<vtkDoubleArray>("Points", 3, n, [&](int i, int c) { return component<Dim>(all.x[at(i)], c); }));
     grid->SetPoints(points);
 
     vtkPointData* data = grid->GetPointData();
     auto vectors = [&](const std::string& name, const Points<Dim>& values) {
-        data->AddArray(makeArray<vtkDoubleArray>(
-            name, 3, n, [&](int i, int c) { return component<Dim>(values[at(i)], c); }));
+        data->AddArray(
+            makeArray<vtkDoubleArray>(name, 3, n, [&](int i, int c) { return component<Dim>(values[at(i)], c); }));
     };
     auto scalars = [&](const std::string& name, const std::vector<double>& values) {
         data->AddArray(makeArray<vtkDoubleArray>(name, 1, n, [&](int i, int) { return values[at(i)]; }));
@@ -69,9 +68,8 @@ void addNodes(vtkUnstructuredGrid* grid, const State<Dim>& state, const NodeSet&
     vectors("U", all.v);
     vectors("a", all.a);
     scalars("p", all.p);
-    data->AddArray(makeArray<vtkDoubleArray>("D", 3, n, [&](int i, int c) {
-        return component<Dim>(all.x[at(i)], c) - component<Dim>(all.X[at(i)], c);
-    }));
+    data->AddArray(makeArray<vtkDoubleArray>(
+        "D", 3, n, [&](int i, int c) { return component<Dim>(all.x[at(i)], c) - component<Dim>(all.X[at(i)], c); }));
     vectors("X", all.X);
     if (withStress) data->AddArray(makeStress<Dim>(all.sigma, n, at));
     scalars("h", all.h);
@@ -80,8 +78,8 @@ void addNodes(vtkUnstructuredGrid* grid, const State<Dim>& state, const NodeSet&
     data->AddArray(makeArray<vtkIntArray>("wall", 1, n, [&](int i, int) { return all.wall[at(i)]; }));
     for (const auto& [name, values] : extra.nodal) scalars(name, values);
     for (const auto& [name, values] : extra.nodalFlags)
-        data->AddArray(makeArray<vtkUnsignedCharArray>(
-            name, 1, n, [&, &flags = values](int i, int) { return flags[at(i)]; }));
+        data->AddArray(
+            makeArray<vtkUnsignedCharArray>(name, 1, n, [&, &flags = values](int i, int) { return flags[at(i)]; }));
     data->SetActiveVectors("U");
     data->SetActiveScalars("p");
 }

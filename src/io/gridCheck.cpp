@@ -12,12 +12,14 @@ namespace pfem {
 
 namespace {
 
-const std::string expectedStart = "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-                                  "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">";
+const std::string expectedStart =
+    "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+    "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">";
 const std::vector<std::string> elements = {
-    "VTKFile", "UnstructuredGrid", "FieldData", "DataArray", "Array", "Piece", "PointData", "CellData", "Points", "Cells",
-    "InformationKey", "Value", "/VTKFile", "/UnstructuredGrid", "/FieldData", "/DataArray", "/Array", "/Piece", "/PointData",
-    "/CellData", "/Points", "/Cells", "/InformationKey", "/Value"};
+    "VTKFile",    "UnstructuredGrid",  "FieldData",  "DataArray",  "Array",           "Piece",
+    "PointData",  "CellData",          "Points",     "Cells",      "InformationKey",  "Value",
+    "/VTKFile",   "/UnstructuredGrid", "/FieldData", "/DataArray", "/Array",          "/Piece",
+    "/PointData", "/CellData",         "/Points",    "/Cells",     "/InformationKey", "/Value"};
 const std::vector<std::string> types = {"Float64", "Float32", "Int64", "Int32", "UInt8", "String"};
 
 bool isOneOf(const std::string& word, const std::vector<std::string>& words) {
@@ -136,7 +138,8 @@ Damage damageOfTag(const std::string& file, std::string tag, std::uint64_t base,
 
 Damage damageOf(const std::string& file) {
     const auto appended = file.find("<AppendedData encoding=\"raw\">");
-    if (appended == std::string::npos || file.rfind(expectedStart, 0) != 0) return {"not a file of this toolkit", 1, true};
+    if (appended == std::string::npos || file.rfind(expectedStart, 0) != 0)
+        return {"not a file of this toolkit", 1, true};
     const auto lineAt = [&](std::size_t place) {
         return 1 + static_cast<int>(std::count(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(place), '\n'));
     };
@@ -161,7 +164,8 @@ std::string brokenArray(const std::string& file, const Unpack& unpack, bool only
         if (attribute(tag, "format") != "appended" || (onlyStrings && !ofStrings)) continue;
         const std::string name = attribute(tag, "Name").value_or("without name");
         const char* head = &file[base + *wholeNumber(*attribute(tag, "offset"))];
-        const std::uint64_t blocks = wordAt(head), size = blocks > 0 ? wordAt(head + 8) : 0, last = blocks > 0 ? wordAt(head + 16) : 0;
+        const std::uint64_t blocks = wordAt(head), size = blocks > 0 ? wordAt(head + 8) : 0,
+                            last = blocks > 0 ? wordAt(head + 16) : 0;
         const char* data = head + 8 * (3 + blocks);
         std::uint64_t strings = 0;  // each ends with a zero
         for (std::uint64_t k = 0; k < blocks; ++k) {
@@ -171,7 +175,8 @@ std::string brokenArray(const std::string& file, const Unpack& unpack, bool only
             if (ofStrings) strings += static_cast<std::uint64_t>(std::count(bytes->begin(), bytes->end(), '\0'));
             data += n;
         }
-        if (ofStrings && strings != declared(tag, "NumberOfTuples", 0) * declared(tag, "NumberOfComponents", 1)) return name;
+        if (ofStrings && strings != declared(tag, "NumberOfTuples", 0) * declared(tag, "NumberOfComponents", 1))
+            return name;
     }
     return "";
 }

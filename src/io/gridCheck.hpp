@@ -16,11 +16,13 @@ struct Damage {
 };
 
 /// Of a .vtu file that writeGrid is said to have made: another encoding, elements or types that it does not write, more
-/// points, cells or tuples than the file can hold, blocks of data that are not within it or could not be decompressed to
-/// what is promised, arrays of another size than their points, cells and components ask for. What concerns an array names it.
+/// points, cells or tuples than the file can hold, blocks of data that are not within it or could not be decompressed
+/// to what is promised, arrays of another size than their points, cells and components ask for. What concerns an array
+/// names it.
 Damage damageOf(const std::string& file);
 
-/// The bytes of one compressed block (its bytes, their number, number of bytes that they stand for), nothing where it is broken.
+/// The bytes of one compressed block (its bytes, their number, number of bytes that they stand for), nothing where it
+/// is broken.
 using Unpack = std::function<std::optional<std::string>(const char* bytes, std::size_t n, std::size_t whole)>;
 
 /// The first array of a file without any such damage that has a block which cannot be unpacked, or another number of

@@ -85,8 +85,7 @@ private:
     vtkLogger::Verbosity verbosity_ = vtkLogger::GetCurrentVerbosityCutoff();
 };
 
-[[noreturn]] void fail(const std::string& what, const std::filesystem::path& file,
-                       const std::string& reason) {
+[[noreturn]] void fail(const std::string& what, const std::filesystem::path& file, const std::string& reason) {
     throw UserError(what + " \"" + file.string() + "\": " + reason, {file.string(), 0});
 }
 
@@ -97,8 +96,8 @@ std::string reasonOf(unsigned long code) {
     return "write error " + std::to_string(code);
 }
 
-/// "array 'p' is ": the first one that cannot be decompressed or has a wrong number of strings; "" when all are sound, and
-/// for files of others.
+/// "array 'p' is ": the first one that cannot be decompressed or has a wrong number of strings; "" when all are sound,
+/// and for files of others.
 std::string whereBroken(const std::filesystem::path& file, bool onlyStrings) {
     const std::string text = readText(file);
     if (!damageOf(text).reason.empty()) return "";
@@ -156,8 +155,9 @@ vtkSmartPointer<vtkUnstructuredGrid> readGrid(const std::filesystem::path& file)
     if (grid == nullptr || grid->GetPoints() == nullptr) fail("cannot read", file, "array 'Points' is missing");
     if (vtkCellArray* cells = grid->GetCells(); cells != nullptr)
         if (!cells->IsValid() || cells->GetNumberOfCells() != grid->GetNumberOfCells() ||
-            (grid->GetNumberOfCells() > 0 && (grid->GetCellTypesArray() == nullptr ||
-                                              grid->GetCellTypesArray()->GetNumberOfValues() != grid->GetNumberOfCells())))
+            (grid->GetNumberOfCells() > 0 &&
+             (grid->GetCellTypesArray() == nullptr ||
+              grid->GetCellTypesArray()->GetNumberOfValues() != grid->GetNumberOfCells())))
             fail("cannot read", file, "arrays 'offsets', 'connectivity' and 'types' contradict each other");
     return grid;
 }

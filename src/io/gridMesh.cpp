@@ -84,7 +84,8 @@ private:
 ForeignMesh readGridMesh(const std::filesystem::path& file, const std::string& cellArray) {
     // VTK's reader dies of some damaged files; those of our own form can be checked before.
     const std::string text = readText(file);
-    if (text.find("vtkZLibDataCompressor") != std::string::npos && text.find("<AppendedData encoding=\"raw\">") != std::string::npos)
+    if (text.find("vtkZLibDataCompressor") != std::string::npos &&
+        text.find("<AppendedData encoding=\"raw\">") != std::string::npos)
         if (const Damage damage = damageOf(text); !damage.reason.empty() && !damage.foreign)
             throw UserError("cannot read \"" + file.string() + "\": truncated or corrupt (" + damage.reason + ")",
                             {file.string(), damage.line});

@@ -7,10 +7,10 @@
 
 namespace pfem {
 
-/// Its triangles and lines (polylines) of the plane z = 0; other cells but vertices are errors. The groups are the values of the
-/// cells' integer array `cellArray`; where the file has an array of words called `cellArray`s, as the files of time folders have
-/// `materials`, its words, else the numbers. Without the array all are in group "0".
-/// Throws UserError naming the file.
+/// Its triangles and lines (polylines) of the plane z = 0; other cells but vertices are errors. The groups are the
+/// values of the cells' integer array `cellArray`; where the file has an array of words called `cellArray`s, as the
+/// files of time folders have `materials`, its words, else the numbers. Without the array all are in group "0". Throws
+/// UserError naming the file.
 ForeignMesh readGridMesh(const std::filesystem::path& file, const std::string& cellArray);
 
 }  // namespace pfem

@@ -34,8 +34,8 @@ int overwrite(const fs::path& file, off_t offset, const std::string& text) {
 }  // namespace
 
 bool GrowingFile::Stamp::operator==(const Stamp& other) const {
-    return device == other.device && number == other.number && size == other.size && changed.tv_sec == other.changed.tv_sec &&
-           changed.tv_nsec == other.changed.tv_nsec;
+    return device == other.device && number == other.number && size == other.size &&
+           changed.tv_sec == other.changed.tv_sec && changed.tv_nsec == other.changed.tv_nsec;
 }
 
 std::optional<GrowingFile::Stamp> GrowingFile::stampOf(const fs::path& file) {
@@ -45,7 +45,9 @@ std::optional<GrowingFile::Stamp> GrowingFile::stampOf(const fs::path& file) {
 }
 
 GrowingFile::GrowingFile(fs::path name, std::string end)
-    : name_(std::move(name)), twin_(name_.parent_path() / ("." + name_.filename().string() + ".twin")), end_(std::move(end)) {}
+    : name_(std::move(name)),
+      twin_(name_.parent_path() / ("." + name_.filename().string() + ".twin")),
+      end_(std::move(end)) {}
 
 GrowingFile::~GrowingFile() {
     if (twinLeft_) removeTwin();
@@ -76,9 +78,7 @@ void GrowingFile::write(const std::string& text) {
     left_ = stampOf(name_);
 }
 
-bool GrowingFile::isLeft() const {
-    return left_ && stampOf(name_) == left_;
-}
+bool GrowingFile::isLeft() const { return left_ && stampOf(name_) == left_; }
 
 bool GrowingFile::append(const std::string& entry) {
     if (!isLeft()) return false;

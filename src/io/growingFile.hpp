@@ -1,6 +1,6 @@
 #pragma once
-// A text file to which entries are added before its last lines, whole under its name at any instant, and at a cost that does not
-// grow with what it holds.
+// A text file to which entries are added before its last lines, whole under its name at any instant, and at a cost that
+// does not grow with what it holds.
 
 #include <sys/stat.h>
 
@@ -10,8 +10,9 @@
 
 namespace pfem {
 
-/// The text exists twice: under its name, and hidden (.<name>.twin) without the latest entry. To add an entry, the twin gets both,
-/// goes to the disk and changes names with the other one. Whoever opens the name sees the old text or the new one.
+/// The text exists twice: under its name, and hidden (.<name>.twin) without the latest entry. To add an entry, the twin
+/// gets both, goes to the disk and changes names with the other one. Whoever opens the name sees the old text or the
+/// new one.
 class GrowingFile {
 public:
     /// `end`: the last lines. Nothing is written yet.
@@ -27,8 +28,9 @@ public:
     /// Is the file the one that was left here?
     bool isLeft() const;
 
-    /// Add `entry` before the last lines. Returns false, and has done nothing, when the file is not the one that was left here
-    /// (somebody has replaced or changed it, it is a link, nothing was written). Throws UserError; the file is whole then, too.
+    /// Add `entry` before the last lines. Returns false, and has done nothing, when the file is not the one that was
+    /// left here (somebody has replaced or changed it, it is a link, nothing was written). Throws UserError; the file
+    /// is whole then, too.
     bool append(const std::string& entry);
 
 private:
@@ -46,7 +48,7 @@ private:
 
     std::filesystem::path name_, twin_;
     std::string end_;
-    std::string lacking_;                  // what the twin has not got yet
+    std::string lacking_;                   // what the twin has not got yet
     std::optional<Stamp> left_, twinLeft_;  // null: not written here
 };
 

@@ -28,9 +28,7 @@ std::optional<fs::path> previousTable(const fs::path& file) {
     return found;
 }
 
-std::string timeText(double time, int precision) {
-    return fmt::format("{:.{}g}", time, precision > 12 ? 17 : 12);
-}
+std::string timeText(double time, int precision) { return fmt::format("{:.{}g}", time, precision > 12 ? 17 : 12); }
 
 TableText readTable(const fs::path& file, double time) {
     const std::string text = readText(file), now = timeText(time);

@@ -21,8 +21,8 @@ std::optional<std::filesystem::path> previousTable(const std::filesystem::path& 
 /// Rows up to `time` [s]; a last line that was cut off when a run was killed is left out. Throws UserError.
 TableText readTable(const std::filesystem::path& file, double time);
 
-/// A time as tables print it: twelve digits, so that no two steps of a run look alike, or with a larger precision all 17:
-/// then the text means exactly that time, and a restart finds the row.
+/// A time as tables print it: twelve digits, so that no two steps of a run look alike, or with a larger precision all
+/// 17: then the text means exactly that time, and a restart finds the row.
 std::string timeText(double time, int precision = 0);
 
 }  // namespace pfem

@@ -30,8 +30,7 @@ void mark(std::vector<char>& member, const CellList& cells) {
     for (const auto& cell : cells)
         for (const int i : cell) {
             if (i < 0 || i >= static_cast<int>(member.size()))
-                throw InternalError(
-                    fmt::format("writeState: cell refers to node {} of {}", i, member.size()));
+                throw InternalError(fmt::format("writeState: cell refers to node {} of {}", i, member.size()));
             member[static_cast<std::size_t>(i)] = 1;
         }
 }

@@ -26,14 +26,16 @@ constexpr const char* seriesEnd = "\n  ]\n}\n";
 std::string collectionEntry(const TimeFolder& time) {
     std::string text;
     for (std::size_t part = 0; part < parts.size(); ++part)
-        text += fmt::format("    <DataSet timestep=\"{0}\" group=\"\" part=\"{1}\" name=\"{2}\" file=\"{0}/{2}.vtu\"/>\n", time.name,
-                            part, parts[part]);
+        text +=
+            fmt::format("    <DataSet timestep=\"{0}\" group=\"\" part=\"{1}\" name=\"{2}\" file=\"{0}/{2}.vtu\"/>\n",
+                        time.name, part, parts[part]);
     return text;
 }
 
 /// What the list of a part says of a time, with what parts it from the one before.
 std::string seriesEntry(const TimeFolder& time, const std::string& part, bool first) {
-    return fmt::format("{}    {{ \"name\" : \"{}/{}.vtu\", \"time\" : {} }}", first ? "\n" : ",\n", time.name, part, time.value);
+    return fmt::format("{}    {{ \"name\" : \"{}/{}.vtu\", \"time\" : {} }}", first ? "\n" : ",\n", time.name, part,
+                       time.value);
 }
 
 std::string seriesText(const std::vector<TimeFolder>& times, const std::string& part) {
@@ -48,9 +50,7 @@ std::optional<fs::file_time_type> changeOf(const fs::path& folder) {
     return error ? std::nullopt : std::optional(time);
 }
 
-fs::path fileOf(const fs::path& root, std::size_t part) {
-    return root / (parts[part] + ".vtu.series");
-}
+fs::path fileOf(const fs::path& root, std::size_t part) { return root / (parts[part] + ".vtu.series"); }
 
 }  // namespace
 
@@ -85,11 +85,13 @@ bool Series::append(const TimeFolder& time) {
            solid_.append(seriesEntry(time, parts[1], first)) && boundary_.append(seriesEntry(time, parts[2], first));
 }
 
-/// A folder of this name is listed, and the lists are what was left here: a run that is done again replaces its folders.
+/// A folder of this name is listed, and the lists are what was left here: a run that is done again replaces its
+/// folders.
 bool Series::holds(const TimeFolder& time) const {
     const auto at = std::lower_bound(times_.begin(), times_.end(), time.value,
                                      [](const TimeFolder& other, double value) { return other.value < value; });
-    return at != times_.end() && at->name == time.name && collection_.isLeft() && fluid_.isLeft() && solid_.isLeft() && boundary_.isLeft();
+    return at != times_.end() && at->name == time.name && collection_.isLeft() && fluid_.isLeft() && solid_.isLeft() &&
+           boundary_.isLeft();
 }
 
 void Series::add(const std::string& name) {
@@ -108,8 +110,6 @@ void Series::add(const std::string& name) {
     rootChanged_ = changeOf(root_);
 }
 
-void writeSeries(const fs::path& root) {
-    Series(root).write();
-}
+void writeSeries(const fs::path& root) { Series(root).write(); }
 
 }  // namespace pfem

@@ -10,9 +10,9 @@
 
 namespace pfem {
 
-/// The lists of a run that writes time folders, one after the other. A folder that comes last costs the same however many there
-/// are; what the root holds is looked through only at first, when somebody else has changed it, and when as many folders again
-/// have been added.
+/// The lists of a run that writes time folders, one after the other. A folder that comes last costs the same however
+/// many there are; what the root holds is looked through only at first, when somebody else has changed it, and when as
+/// many folders again have been added.
 class Series {
 public:
     explicit Series(std::filesystem::path root);
@@ -32,8 +32,8 @@ private:
 
     std::filesystem::path root_;
     GrowingFile collection_, fluid_, solid_, boundary_;
-    std::vector<TimeFolder> times_;  // in the lists
-    std::size_t added_ = 0;          // of them since the root was looked through
+    std::vector<TimeFolder> times_;                               // in the lists
+    std::size_t added_ = 0;                                       // of them since the root was looked through
     std::optional<std::filesystem::file_time_type> rootChanged_;  // null: nothing is known of it
 };
 

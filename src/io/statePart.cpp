@@ -41,17 +41,14 @@ std::vector<Stress<Dim>> readStress(const CheckedArrays& arrays) {
     auto* sigma = arrays.doubles("sigma", 6);
     std::vector<Stress<Dim>> stress(static_cast<std::size_t>(sigma->GetNumberOfTuples()));
     for (std::size_t i = 0; i < stress.size(); ++i)
-        for (int c = 0; c < nStress<Dim>; ++c)
-            stress[i][c] = sigma->GetTypedComponent(static_cast<vtkIdType>(i), c);
+        for (int c = 0; c < nStress<Dim>; ++c) stress[i][c] = sigma->GetTypedComponent(static_cast<vtkIdType>(i), c);
     return stress;
 }
 
 template <int Dim>
 Nodes<Dim> readNodes(vtkUnstructuredGrid* grid, const std::filesystem::path& file, bool& hasStress) {
     const CheckedArrays arrays(file, grid->GetPointData(), grid->GetNumberOfPoints());
-    auto points = [&](const std::string& name) {
-        return toPoints<Dim>(arrays.doubles(name, 3), arrays, name);
-    };
+    auto points = [&](const std::string& name) { return toPoints<Dim>(arrays.doubles(name, 3), arrays, name); };
     Nodes<Dim> nodes;
     nodes.id = arrays.integers("id");
     auto* positions = vtkDoubleArray::SafeDownCast(grid->GetPoints()->GetData());
@@ -75,8 +72,7 @@ Nodes<Dim> readNodes(vtkUnstructuredGrid* grid, const std::filesystem::path& fil
     hasStress = arrays.found("sigma");
     if (hasStress) nodes.sigma = readStress<Dim>(arrays);
     for (std::size_t i = 0; i < nodes.id.size(); ++i)
-        if (nodes.id[i] < 0 || (i > 0 && nodes.id[i] <= nodes.id[i - 1]))
-            arrays.fail("array 'id' does not ascend");
+        if (nodes.id[i] < 0 || (i > 0 && nodes.id[i] <= nodes.id[i - 1])) arrays.fail("array 'id' does not ascend");
     return nodes;
 }
 
@@ -143,7 +139,6 @@ Part<Dim> readPart(const std::filesystem::path& folder, const std::string& name,
     return part;
 }
 
-template Part<2> readPart<2>(const std::filesystem::path&, const std::string&, const std::string&,
-                             const UniformTime&);
+template Part<2> readPart<2>(const std::filesystem::path&, const std::string&, const std::string&, const UniformTime&);
 
 }  // namespace pfem

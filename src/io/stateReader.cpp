@@ -42,11 +42,9 @@ Nodes<Dim> mergeNodes(const std::vector<const Part<Dim>*>& parts) {
     };
     std::vector<Source> sources;
     for (std::size_t k = 0; k < parts.size(); ++k)
-        for (std::size_t i = 0; i < parts[k]->nodes.id.size(); ++i)
-            sources.push_back({parts[k]->nodes.id[i], k, i});
-    std::sort(sources.begin(), sources.end(), [](const Source& a, const Source& b) {
-        return std::tie(a.id, a.part) < std::tie(b.id, b.part);
-    });
+        for (std::size_t i = 0; i < parts[k]->nodes.id.size(); ++i) sources.push_back({parts[k]->nodes.id[i], k, i});
+    std::sort(sources.begin(), sources.end(),
+              [](const Source& a, const Source& b) { return std::tie(a.id, a.part) < std::tie(b.id, b.part); });
     Nodes<Dim> nodes;
     for (const Source& s : sources) {
         const Nodes<Dim>& from = parts[s.part]->nodes;
@@ -79,7 +77,8 @@ Cells<Dim> simplicesOf(const Part<Dim>& part, const Nodes<Dim>& nodes, bool with
         if (part.types[e] != simplexType<Dim> || part.cells[e].size() != Dim + 1)
             part.fail(fmt::format("array 'types': cell {} has the unexpected type {}", e, part.types[e]));
         if (part.values[e] < 0 || part.values[e] >= static_cast<Id>(part.materials.size()))
-            part.fail(fmt::format("array 'material': cell {} has material {} of {}", e, part.values[e], part.materials.size()));
+            part.fail(fmt::format("array 'material': cell {} has material {} of {}", e, part.values[e],
+                                  part.materials.size()));
         cells.nodes.push_back(toIndices<Dim + 1>(part.cells[e], nodes));
         cells.material.push_back(static_cast<int>(part.values[e]));
     }
@@ -94,9 +93,9 @@ std::vector<Patch<Dim>> patchesOf(const Part<Dim>& part, const Nodes<Dim>& nodes
         if (part.types[f] != faceType<Dim> || part.cells[f].size() != Dim)
             part.fail(fmt::format("array 'types': face {} has the unexpected type {}", f, part.types[f]));
         if (part.values[f] < 0 || part.values[f] >= static_cast<Id>(patches.size()))
-            part.fail(fmt::format("array 'patch': face {} belongs to patch {} of {}", f, part.values[f], patches.size()));
-        patches[static_cast<std::size_t>(part.values[f])].faces.push_back(
-            toIndices<Dim>(part.cells[f], nodes));
+            part.fail(
+                fmt::format("array 'patch': face {} belongs to patch {} of {}", f, part.values[f], patches.size()));
+        patches[static_cast<std::size_t>(part.values[f])].faces.push_back(toIndices<Dim>(part.cells[f], nodes));
     }
     return patches;
 }
@@ -132,7 +131,8 @@ State<Dim> readState(const std::filesystem::path& folder) {
     for (const auto& patch : state.mesh.patches) faces += static_cast<int>(patch.faces.size());
     for (int i = 0; i < state.nodes.size(); ++i)
         if (state.nodes.wall[i] >= faces)
-            fluid.fail(fmt::format("array 'wall': node {} slides on wall face {} of {}", state.nodes.id[i], state.nodes.wall[i], faces));
+            fluid.fail(fmt::format("array 'wall': node {} slides on wall face {} of {}", state.nodes.id[i],
+                                   state.nodes.wall[i], faces));
     return state;
 }
 

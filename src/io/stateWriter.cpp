@@ -32,12 +32,11 @@ void checkSizes(const State<Dim>& state, const ExtraFields& extra) {
     const Nodes<Dim>& nodes = state.nodes;
     const std::size_t n = nodes.id.size();
     bool ok = nodes.x.size() == n && nodes.v.size() == n && nodes.a.size() == n && nodes.p.size() == n &&
-              nodes.sigma.size() == n && nodes.X.size() == n && nodes.h.size() == n &&
-              nodes.dropVolume.size() == n && nodes.lostVolume.size() == n && nodes.wall.size() == n;
+              nodes.sigma.size() == n && nodes.X.size() == n && nodes.h.size() == n && nodes.dropVolume.size() == n &&
+              nodes.lostVolume.size() == n && nodes.wall.size() == n;
     for (std::size_t i = 1; i < n && ok; ++i) ok = nodes.id[i - 1] < nodes.id[i];
     if (!ok) throw InternalError("writeState: nodal arrays differ in length or ids do not ascend");
-    if (n > 0 && nodes.id.back() >= state.nextId)
-        throw InternalError("writeState: nextId is not above all ids");
+    if (n > 0 && nodes.id.back() >= state.nextId) throw InternalError("writeState: nextId is not above all ids");
     for (const Cells<Dim>* cells : {&state.mesh.fluid, &state.mesh.solid})
         if (cells->nodes.size() != cells->material.size())
             throw InternalError("writeState: the number of materials is not the number of cells");
@@ -46,11 +45,9 @@ void checkSizes(const State<Dim>& state, const ExtraFields& extra) {
         throw InternalError("writeState: the number of cell stresses is not the number of solid cells");
     for (const auto* fields : {&extra.nodal, &extra.ofFluid})
         for (const auto& [name, values] : *fields)
-            if (values.size() != n)
-                throw InternalError("writeState: extra field '" + name + "' has a wrong length");
+            if (values.size() != n) throw InternalError("writeState: extra field '" + name + "' has a wrong length");
     for (const auto& [name, values] : extra.nodalFlags)
-        if (values.size() != n)
-            throw InternalError("writeState: extra field '" + name + "' has a wrong length");
+        if (values.size() != n) throw InternalError("writeState: extra field '" + name + "' has a wrong length");
 }
 
 }  // namespace
@@ -68,8 +65,7 @@ void writeState(const std::filesystem::path& folder, const State<Dim>& state, co
     addNodes(fluid.Get(), state, fluidNodes, stressOutsideSolid(state, fluidNodes, members.solid), ofFluid);
     CellBuilder fluidCells;
     addSimplices(fluidCells, state.mesh.fluid, fluidNodes);
-    for (const int i : members.isolated)
-        fluidCells.add(VTK_VERTEX, std::array<int, 1>{i}, fluidNodes, noMaterial);
+    for (const int i : members.isolated) fluidCells.add(VTK_VERTEX, std::array<int, 1>{i}, fluidNodes, noMaterial);
     fluidCells.finish(fluid, "material");
     writeGrid(staged.path() / fluidFile, fluid);
 
@@ -86,8 +82,7 @@ void writeState(const std::filesystem::path& folder, const State<Dim>& state, co
 
     const NodeSet boundaryNodes(members.boundary);
     auto boundary = newGrid(state);
-    addNodes(boundary.Get(), state, boundaryNodes, stressOutsideSolid(state, boundaryNodes, members.solid),
-             extra);
+    addNodes(boundary.Get(), state, boundaryNodes, stressOutsideSolid(state, boundaryNodes, members.solid), extra);
     CellBuilder boundaryCells;
     std::vector<std::string> names;
     for (const auto& patch : state.mesh.patches) {
@@ -102,8 +97,7 @@ void writeState(const std::filesystem::path& folder, const State<Dim>& state, co
     UniformTime uniform{state.time, state.nextId, state.approach, state.ledger, state.energy, {}, state.memory};
     for (const auto& file : files) uniform.checksums[file] = checksumOf(readText(staged.path() / file));
     std::filesystem::create_directory(staged.path() / "uniform");
-    writeAtomically(staged.path() / "uniform" / "time",
-                    formatUniformTime(uniform, folder.filename().string()));
+    writeAtomically(staged.path() / "uniform" / "time", formatUniformTime(uniform, folder.filename().string()));
     staged.commit();
 }
 

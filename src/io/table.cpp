@@ -50,7 +50,8 @@ void Table::makeFolder() const {
     std::filesystem::path base = file_.parent_path();
     for (int n = 0; n < ownFolders; ++n) base = base.parent_path();
     if (!base.empty() && !std::filesystem::exists(base, error))
-        error = std::make_error_code(std::errc::no_such_file_or_directory);  // a case that has been deleted is not made anew
+        error = std::make_error_code(
+            std::errc::no_such_file_or_directory);  // a case that has been deleted is not made anew
     else if (file_.has_parent_path())
         std::filesystem::create_directories(file_.parent_path(), error);
     if (error)
@@ -80,8 +81,7 @@ void Table::open(std::ios::openmode mode) {
     stream_.clear();
     stream_.open(file_, mode);
     if (!stream_)
-        throw UserError("cannot write \"" + file_.string() + "\": " + std::strerror(errno),
-                        {file_.string(), 0});
+        throw UserError("cannot write \"" + file_.string() + "\": " + std::strerror(errno), {file_.string(), 0});
     identity_ = identityOf(file_);
 }
 
@@ -106,19 +106,15 @@ void Table::line(const std::string& text) {
     errno = 0;
     stream_ << text << std::endl;
     if (!stream_)
-        throw UserError("cannot write \"" + file_.string() + "\": " + std::strerror(errno),
-                        {file_.string(), 0});
+        throw UserError("cannot write \"" + file_.string() + "\": " + std::strerror(errno), {file_.string(), 0});
 }
 
-void Table::comment(const std::string& text) {
-    line("# " + text);
-}
+void Table::comment(const std::string& text) { line("# " + text); }
 
 void Table::header(const std::vector<std::string>& titles) {
     std::string text = "#";
     for (std::size_t i = 0; i < titles.size(); ++i)
-        text += i == 0 ? fmt::format("{:>{}}", titles[i], width() - 1)
-                       : fmt::format(" {:>{}}", titles[i], width());
+        text += i == 0 ? fmt::format("{:>{}}", titles[i], width() - 1) : fmt::format(" {:>{}}", titles[i], width());
     line(text);
 }
 
@@ -129,9 +125,7 @@ std::string Table::rowText(const std::vector<std::string>& columns) const {
     return text;
 }
 
-void Table::row(const std::vector<std::string>& columns) {
-    line(rowText(columns));
-}
+void Table::row(const std::vector<std::string>& columns) { line(rowText(columns)); }
 
 void Table::replaceRows(const std::vector<std::vector<std::string>>& rows) {
     makeFolder();
@@ -143,13 +137,9 @@ void Table::replaceRows(const std::vector<std::vector<std::string>>& rows) {
     open(std::ios::app);
 }
 
-std::string Table::number(double value) const {
-    return fmt::format("{:.{}g}", value, precision_);
-}
+std::string Table::number(double value) const { return fmt::format("{:.{}g}", value, precision_); }
 
-std::string Table::time(double value) const {
-    return timeText(value, precision_);
-}
+std::string Table::time(double value) const { return timeText(value, precision_); }
 
 std::string Table::tuple(const std::vector<double>& values) const {
     std::string text = fmt::format("{:>{}}", "(", width());

@@ -15,11 +15,11 @@ namespace pfem {
 ///
 /// Without `resumeAt` the file is begun anew. With the time [s] at which a run goes on, the table of the run before is
 /// continued when its columns are the same: its rows up to that time stay, later ones (of a run that was killed) go,
-/// so that the file becomes that of a run that was never stopped. Otherwise `file` is begun. Which one it is shows at the
-/// first row.
+/// so that the file becomes that of a run that was never stopped. Otherwise `file` is begun. Which one it is shows at
+/// the first row.
 ///
-/// A file that somebody removes or replaces meanwhile is begun again, or continued, under its name: rows never go into a
-/// file that nobody can see.
+/// A file that somebody removes or replaces meanwhile is begun again, or continued, under its name: rows never go into
+/// a file that nobody can see.
 class Table {
 public:
     Table(const std::filesystem::path& file, int precision, std::optional<double> resumeAt = {});

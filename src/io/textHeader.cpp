@@ -14,8 +14,6 @@ std::string dictionaryHeader(const std::string& object, const std::string& locat
            location + "\";\n    object      " + object + ";\n}\n" + line + "//\n\n";
 }
 
-std::string dictionaryEndLine() {
-    return "// " + std::string(73, '*') + " //\n";
-}
+std::string dictionaryEndLine() { return "// " + std::string(73, '*') + " //\n"; }
 
 }  // namespace pfem

@@ -21,8 +21,7 @@ double finite(const std::string& name, double value) {
 
 const std::string& plainWord(const std::string& word) {
     bool plain = !word.empty() && std::isalpha(static_cast<unsigned char>(word[0]));
-    for (const char c : word)
-        plain = plain && (std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.');
+    for (const char c : word) plain = plain && (std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.');
     if (!plain) throw InternalError("uniform/time: '" + word + "' cannot be a keyword");
     return word;
 }
@@ -68,11 +67,12 @@ std::string formatUniformTime(const UniformTime& uniform, const std::string& fol
     text += entry("approach", uniform.approach) + "\n";
     text += "// Cumulative fluid volume by cause [m2 in 2D, m3 in 3D]\nledger\n{\n";
     for (const auto& [cause, volume] : uniform.ledger) text += "    " + entry(cause, volume);
-    text += "}\n\n// Cumulative energy that came with volume and remeshing, not by the equations [J/m in 2D, J in 3D]\nenergy\n{\n";
+    text +=
+        "}\n\n// Cumulative energy that came with volume and remeshing, not by the equations [J/m in 2D, J in "
+        "3D]\nenergy\n{\n";
     for (const auto& [cause, amount] : uniform.energy) text += "    " + entry(cause, amount);
     text += "}\n\nchecksums\n{\n";
-    for (const auto& [file, sum] : uniform.checksums)
-        text += fmt::format("    {:<15} \"{}\";\n", plainWord(file), sum);
+    for (const auto& [file, sum] : uniform.checksums) text += fmt::format("    {:<15} \"{}\";\n", plainWord(file), sum);
     text += "}\n";
     if (!uniform.memory.empty()) text += "\n// What function objects remember\nmemory\n(\n";
     for (const auto& [name, numbers] : uniform.memory) {

@@ -18,7 +18,8 @@ inline std::size_t packedColumn(int j, int r) { return static_cast<std::size_t>(
 /// U -= L21 D L21^T: U is a packed lower triangle of r columns, L21 the last r rows of the factored m x width block.
 void subtractProduct(double* U, int r, const double* F, int m, int width);
 
-/// own = L11^{-1} own, below = L21 own (zeros on entry) with a factored m x width block, stored in single or double precision.
+/// own = L11^{-1} own, below = L21 own (zeros on entry) with a factored m x width block, stored in single or double
+/// precision.
 void eliminateColumns(const float* L, int m, int width, double* own, double* below);
 void eliminateColumns(const double* L, int m, int width, double* own, double* below);
 

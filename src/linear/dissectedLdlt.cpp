@@ -92,7 +92,7 @@ LowerColumns partColumns(const SymmetricMatrix& A, const std::vector<int>& inter
 template <class Stored>
 template <int Dim>
 void DissectedLdlt<Stored>::factorize(const SymmetricMatrix& A, const Places<Dim>& where, const std::vector<int>& part,
-                              int nParts) {
+                                      int nParts) {
     shared_.clear();
     parts_.clear();
     parts_.resize(nParts);
@@ -170,8 +170,7 @@ Eigen::VectorXd DissectedLdlt<Stored>::solve(const Eigen::VectorXd& b) const {
     forAll(nParts, [&](int p) {
         const Part& part = parts_[p];
         if (part.interior.empty()) return;
-        for (std::size_t k = 0; k < part.shared.size(); ++k)
-            own[p][part.interior.size() + k] = shared[part.shared[k]];
+        for (std::size_t k = 0; k < part.shared.size(); ++k) own[p][part.interior.size() + k] = shared[part.shared[k]];
         part.factor.backSubstitute(own[p]);
         for (std::size_t f = 0; f < part.interior.size(); ++f) x[part.interior[f]] = own[p][f];
     });
@@ -198,9 +197,11 @@ std::vector<int> slabs(const Places<Dim>& place, int nParts, int axis) {
 template class DissectedLdlt<float>;
 template class DissectedLdlt<double>;
 
-#define PFEM_INSTANTIATE(D)                                                                                                   \
-    template void DissectedLdlt<float>::factorize<D>(const SymmetricMatrix&, const Places<D>&, const std::vector<int>&, int); \
-    template void DissectedLdlt<double>::factorize<D>(const SymmetricMatrix&, const Places<D>&, const std::vector<int>&, int); \
+#define PFEM_INSTANTIATE(D)                                                                     \
+    template void DissectedLdlt<float>::factorize<D>(const SymmetricMatrix&, const Places<D>&,  \
+                                                     const std::vector<int>&, int);             \
+    template void DissectedLdlt<double>::factorize<D>(const SymmetricMatrix&, const Places<D>&, \
+                                                      const std::vector<int>&, int);            \
     template std::vector<int> slabs<D>(const Places<D>&, int, int);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)

@@ -9,11 +9,13 @@
 namespace pfem {
 
 /// A x = b, where the unknowns that couple two parts form a small system of their own (Schur complement). The parts
-/// are factored and solved at the same time; the bits do not depend on the number of threads. The factor is kept as `Stored`, float or double.
+/// are factored and solved at the same time; the bits do not depend on the number of threads. The factor is kept as
+/// `Stored`, float or double.
 template <class Stored>
 class DissectedLdlt {
 public:
-    /// `where` each unknown is, which gives the order of elimination; `part`: a number 0 ... nParts-1 for each. Throws StepFailure when a pivot vanishes or is not finite.
+    /// `where` each unknown is, which gives the order of elimination; `part`: a number 0 ... nParts-1 for each. Throws
+    /// StepFailure when a pivot vanishes or is not finite.
     template <int Dim>
     void factorize(const SymmetricMatrix& A, const Places<Dim>& where, const std::vector<int>& part, int nParts);
 

@@ -11,7 +11,7 @@ namespace pfem {
 struct Front {
     int first = 0;
     int width = 0;
-    int rows = 0;       // where its rows start in Fronts::row
+    int rows = 0;  // where its rows start in Fronts::row
     int nRows = 0;
     int nChildren = 0;  // fronts that leave their remainder to this one
 };

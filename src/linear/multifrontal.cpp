@@ -39,11 +39,13 @@ private:
 };
 
 /// Add what a child leaves to the columns F and the remainder U of its parent. `place`: of each row in the parent.
-void takeUp(const double* source, const int* rows, int n, const std::vector<int>& place, double* F, int m, int width, double* U) {
+void takeUp(const double* source, const int* rows, int n, const std::vector<int>& place, double* F, int m, int width,
+            double* U) {
     const int r = m - width;
     for (int a = 0; a < n; ++a) {
         const int at = place[rows[a]];
-        double* const target = at < width ? F + static_cast<std::size_t>(at) * m : U + packedColumn(at - width, r) - width;
+        double* const target =
+            at < width ? F + static_cast<std::size_t>(at) * m : U + packedColumn(at - width, r) - width;
         for (int b = a; b < n; ++b) target[place[rows[b]]] += *source++;
     }
 }
@@ -106,7 +108,8 @@ void Multifrontal<Stored>::eliminate(Eigen::VectorXd& b) const {
         const Front& front = fronts_.front[f];
         const int* const rows = fronts_.rowsOf(front);
         below.assign(front.nRows, 0.0);
-        eliminateColumns(values_.data() + start_[f], front.width + front.nRows, front.width, w + front.first, below.data());
+        eliminateColumns(values_.data() + start_[f], front.width + front.nRows, front.width, w + front.first,
+                         below.data());
         for (int i = 0; i < front.nRows; ++i) w[rows[i]] -= below[i];
     }
 }
@@ -120,7 +123,8 @@ void Multifrontal<Stored>::backSubstitute(Eigen::VectorXd& x) const {
         const int* const rows = fronts_.rowsOf(front);
         below.resize(front.nRows);
         for (int i = 0; i < front.nRows; ++i) below[i] = w[rows[i]];
-        substituteColumns(values_.data() + start_[f], front.width + front.nRows, front.width, below.data(), w + front.first);
+        substituteColumns(values_.data() + start_[f], front.width + front.nRows, front.width, below.data(),
+                          w + front.first);
     }
 }
 

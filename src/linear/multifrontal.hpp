@@ -9,8 +9,9 @@
 namespace pfem {
 
 /// A = L D L^T without pivoting, multifrontal: each front takes up what its children leave, eliminates its
-/// columns and leaves the rest. The last unknowns can stay: what remains of them is their Schur complement. Computed in double
-/// precision and kept as `Stored`: solutions wait for the memory; with float they are good to some 1e-7 of the condition number.
+/// columns and leaves the rest. The last unknowns can stay: what remains of them is their Schur complement. Computed in
+/// double precision and kept as `Stored`: solutions wait for the memory; with float they are good to some 1e-7 of the
+/// condition number.
 template <class Stored>
 class Multifrontal {
 public:
@@ -30,7 +31,8 @@ public:
 private:
     Fronts fronts_;
     std::vector<std::size_t> start_;  // of each front's block in values_
-    Eigen::Matrix<Stored, Eigen::Dynamic, 1> values_;  // by columns: D and L of the front's columns, then the rows below
+    Eigen::Matrix<Stored, Eigen::Dynamic, 1>
+        values_;  // by columns: D and L of the front's columns, then the rows below
     Eigen::MatrixXd lastBlock_;
 };
 

@@ -8,7 +8,7 @@ namespace pfem {
 
 namespace {
 
-constexpr int smallPiece = 12;  // dense elimination is quicker than further parting
+constexpr int smallPiece = 12;                    // dense elimination is quicker than further parting
 constexpr int sampleSize = 255, fewSites = 2000;  // fewer are halved exactly, others by the median of a sample
 
 template <int Dim>
@@ -93,7 +93,8 @@ private:
         });
     }
 
-    /// Two halves of about equal number, parted along the cut's normal: where the second begins and how far along it lies.
+    /// Two halves of about equal number, parted along the cut's normal: where the second begins and how far along it
+    /// lies.
     std::pair<int, double> halve(int begin, int end) {
         if (end - begin < fewSites) {
             const int middle = begin + (end - begin) / 2;
@@ -105,7 +106,8 @@ private:
             sample_.push_back(site_[begin + static_cast<std::ptrdiff_t>(end - begin) * k / sampleSize]);
         std::nth_element(sample_.begin(), sample_.begin() + sampleSize / 2, sample_.end());
         const Site median = sample_[sampleSize / 2];
-        const auto second = std::partition(site_.begin() + begin, site_.begin() + end, [&](const Site& s) { return s < median; });
+        const auto second =
+            std::partition(site_.begin() + begin, site_.begin() + end, [&](const Site& s) { return s < median; });
         return {static_cast<int>(second - site_.begin()), median.along};
     }
 
@@ -146,7 +148,8 @@ private:
         }
         int to = facing_[0];
         for (std::size_t b = 0; b < facing_.size(); ++b)
-            for (int k = facing_[b] + 1; k < (b + 1 < facing_.size() ? facing_[b + 1] : end); ++k) site_[to++] = site_[k];
+            for (int k = facing_[b] + 1; k < (b + 1 < facing_.size() ? facing_[b + 1] : end); ++k)
+                site_[to++] = site_[k];
         std::copy(moved_.begin(), moved_.end(), site_.begin() + to);
         const auto ofFirst = std::lower_bound(facing_.begin(), facing_.end(), middle) - facing_.begin();
         return {middle - static_cast<int>(ofFirst), to};
@@ -173,7 +176,7 @@ private:
     std::vector<int> mate_;     // the unknown of the other half it is paired with, or -1
     std::vector<int> reached_;  // the search that came here last
     int nHalves_ = 0, search_ = 0;
-    std::vector<int> facing_;   // sites that meet the other half, then those of the border
+    std::vector<int> facing_;  // sites that meet the other half, then those of the border
     Dissection result_;
 };
 

@@ -23,7 +23,7 @@ struct Piece {
 };
 
 struct Dissection {
-    std::vector<int> order;      // of the unknowns
+    std::vector<int> order;  // of the unknowns
     std::vector<Piece> pieces;
 };
 

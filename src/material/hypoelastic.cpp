@@ -71,15 +71,14 @@ Stress<Dim> elasticStress(const Hypoelastic& material, const Tensor<Dim>& D) {
 }
 
 template <int Dim>
-Stress<Dim> rotatedMidpoint(const Hypoelastic& material, const Stress<Dim>& sigmaOld,
-                            const Tensor<Dim>& increment) {
+Stress<Dim> rotatedMidpoint(const Hypoelastic& material, const Stress<Dim>& sigmaOld, const Tensor<Dim>& increment) {
     const Tensor<Dim> D = 0.5 * (increment + increment.transpose());
     const Tensor<Dim> W = 0.5 * (increment - increment.transpose());
     const Tensor<Dim> R = rotation<Dim>(W, 1.0);
     const Tensor<Dim> half = rotation<Dim>(W, 0.5);
     const Stress<Dim> added = elasticStress<Dim>(material, D);
-    const Tensor<Dim> sum = R * stressTensor<Dim>(sigmaOld) * R.transpose() +
-                            half * stressTensor<Dim>(added) * half.transpose();
+    const Tensor<Dim> sum =
+        R * stressTensor<Dim>(sigmaOld) * R.transpose() + half * stressTensor<Dim>(added) * half.transpose();
     return packStress<Dim>(sum, zzComponent<Dim>(sigmaOld) + zzComponent<Dim>(added));
 }
 
@@ -89,21 +88,20 @@ Tensor<Dim> halfRotation(const Tensor<Dim>& increment) {
 }
 
 template <int Dim>
-Stress<Dim> paperUpdate(const Hypoelastic& material, const Stress<Dim>& sigmaOld, const Tensor<Dim>& gradV,
-                        double dt) {
+Stress<Dim> paperUpdate(const Hypoelastic& material, const Stress<Dim>& sigmaOld, const Tensor<Dim>& gradV, double dt) {
     const Tensor<Dim> De = 0.5 * dt * (gradV + gradV.transpose());
     return sigmaOld + elasticStress<Dim>(material, De);
 }
 
-#define PFEM_INSTANTIATE(D)                                                                                  \
-    template Tensor<D> stressTensor<D>(const Stress<D>&);                                                    \
-    template double pressure<D>(const Stress<D>&);                                                           \
-    template Stress<D> deviator<D>(const Stress<D>&);                                                        \
-    template Stress<D> withPressure<D>(const Stress<D>&, double);                                            \
-    template Stress<D> packStress<D>(const Tensor<D>&, double);                                              \
-    template Stress<D> elasticStress<D>(const Hypoelastic&, const Tensor<D>&);                               \
-    template Stress<D> rotatedMidpoint<D>(const Hypoelastic&, const Stress<D>&, const Tensor<D>&);           \
-    template Tensor<D> halfRotation<D>(const Tensor<D>&);                                                    \
+#define PFEM_INSTANTIATE(D)                                                                        \
+    template Tensor<D> stressTensor<D>(const Stress<D>&);                                          \
+    template double pressure<D>(const Stress<D>&);                                                 \
+    template Stress<D> deviator<D>(const Stress<D>&);                                              \
+    template Stress<D> withPressure<D>(const Stress<D>&, double);                                  \
+    template Stress<D> packStress<D>(const Tensor<D>&, double);                                    \
+    template Stress<D> elasticStress<D>(const Hypoelastic&, const Tensor<D>&);                     \
+    template Stress<D> rotatedMidpoint<D>(const Hypoelastic&, const Stress<D>&, const Tensor<D>&); \
+    template Tensor<D> halfRotation<D>(const Tensor<D>&);                                          \
     template Stress<D> paperUpdate<D>(const Hypoelastic&, const Stress<D>&, const Tensor<D>&, double);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)

@@ -32,8 +32,7 @@ Stress<Dim> elasticStress(const Hypoelastic& material, const Tensor<Dim>& D);
 /// of `increment` = grad of the step's displacement with midpoint gradients; R turns by 2 atan(|w|/2), the
 /// exact angle of a rigid rotation. Objective: a stressed block turns without error.
 template <int Dim>
-Stress<Dim> rotatedMidpoint(const Hypoelastic& material, const Stress<Dim>& sigmaOld,
-                            const Tensor<Dim>& increment);
+Stress<Dim> rotatedMidpoint(const Hypoelastic& material, const Stress<Dim>& sigmaOld, const Tensor<Dim>& increment);
 
 /// Half of that rotation, R^{1/2}.
 template <int Dim>
@@ -41,7 +40,6 @@ Tensor<Dim> halfRotation(const Tensor<Dim>& increment);
 
 /// (39) as printed: sigma = sigma^n + C : (dt d(v^{n+1})), end-point gradients, no rotation. For comparison.
 template <int Dim>
-Stress<Dim> paperUpdate(const Hypoelastic& material, const Stress<Dim>& sigmaOld, const Tensor<Dim>& gradV,
-                        double dt);
+Stress<Dim> paperUpdate(const Hypoelastic& material, const Stress<Dim>& sigmaOld, const Tensor<Dim>& gradV, double dt);
 
 }  // namespace pfem

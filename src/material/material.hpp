@@ -12,9 +12,9 @@ namespace pfem {
 
 /// Fluid: s = 2 mu (d - tr(d)/3 I), dp/dt = -kappa div v; mu may depend on the shear rate, see material/viscosity.hpp.
 struct ViscousFluid {
-    double rho = 1000;    // density [kg/m3]
-    double mu = 1e-3;     // dynamic viscosity [Pa s]; with yield stress or exponent the consistency [Pa s^n]
-    double kappa = 2.1e9;  // bulk modulus [Pa]
+    double rho = 1000;             // density [kg/m3]
+    double mu = 1e-3;              // dynamic viscosity [Pa s]; with yield stress or exponent the consistency [Pa s^n]
+    double kappa = 2.1e9;          // bulk modulus [Pa]
     double yieldStress = 0;        // [Pa]
     double exponent = 1;           // n [-]
     double regularisation = 1000;  // m [s]
@@ -24,9 +24,9 @@ struct ViscousFluid {
 
 /// Hypoelastic solid: sigma = C : D integrated along the path, isotropic C.
 struct Hypoelastic {
-    double rho = 1000;  // density in the reference state [kg/m3]
-    double E = 1e6;     // Young's modulus [Pa]
-    double nu = 0;      // Poisson's ratio [-]
+    double rho = 1000;                              // density in the reference state [kg/m3]
+    double E = 1e6;                                 // Young's modulus [Pa]
+    double nu = 0;                                  // Poisson's ratio [-]
     std::shared_ptr<const SolidLaw> law = nullptr;  // instead of C : D
 
     double lambda() const { return E * nu / ((1 + nu) * (1 - 2 * nu)); }

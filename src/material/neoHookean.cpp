@@ -46,11 +46,11 @@ Tensor<Dim> firstPiola(const Stress<Dim>& sigma, const Tensor<Dim>& F) {
     return F.determinant() * stressTensor<Dim>(sigma) * F.inverse().transpose();
 }
 
-#define PFEM_INSTANTIATE(D)                                                            \
-    template Stress<D> neoHookeanShear<D>(const Hypoelastic&, const Tensor<D>&);       \
-    template double neoHookeanShearEnergy<D>(const Hypoelastic&, const Tensor<D>&);    \
-    template Stress<D> neoHookeanStress<D>(const Hypoelastic&, const Tensor<D>&);      \
-    template double neoHookeanEnergy<D>(const Hypoelastic&, const Tensor<D>&);         \
+#define PFEM_INSTANTIATE(D)                                                         \
+    template Stress<D> neoHookeanShear<D>(const Hypoelastic&, const Tensor<D>&);    \
+    template double neoHookeanShearEnergy<D>(const Hypoelastic&, const Tensor<D>&); \
+    template Stress<D> neoHookeanStress<D>(const Hypoelastic&, const Tensor<D>&);   \
+    template double neoHookeanEnergy<D>(const Hypoelastic&, const Tensor<D>&);      \
     template Tensor<D> firstPiola<D>(const Stress<D>&, const Tensor<D>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)

@@ -1,7 +1,7 @@
 #pragma once
-// Compressible neo-Hookean solid, from the deformation gradient alone: W = mu/2 (tr b - 3) - mu ln J + lambda/2 (ln J)^2
-// with b = F F^T, J = det F. It has the elastic constants of the hypoelastic law and agrees with it at small strain.
-// 2D is plane strain: F_zz = 1.
+// Compressible neo-Hookean solid, from the deformation gradient alone: W = mu/2 (tr b - 3) - mu ln J + lambda/2 (ln
+// J)^2 with b = F F^T, J = det F. It has the elastic constants of the hypoelastic law and agrees with it at small
+// strain. 2D is plane strain: F_zz = 1.
 
 #include "base/types.hpp"
 #include "material/material.hpp"

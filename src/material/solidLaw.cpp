@@ -37,7 +37,9 @@ Tensor<3> deformation(const Tensor<Dim>& F) {
 
 }  // namespace
 
-Tensor<3> SolidLaw::updated(const Tensor<3>&, const Tensor<3>&) const { throw InternalError("a law without updated()"); }
+Tensor<3> SolidLaw::updated(const Tensor<3>&, const Tensor<3>&) const {
+    throw InternalError("a law without updated()");
+}
 Tensor<3> SolidLaw::total(const Tensor<3>&) const { throw InternalError("a law without total()"); }
 double SolidLaw::energy(const Tensor<3>&) const { throw InternalError("a law without energy()"); }
 
@@ -51,7 +53,8 @@ std::vector<std::string> addedSolidLaws() {
     return names;
 }
 
-std::shared_ptr<const SolidLaw> makeSolidLaw(const std::string& type, const Dictionary& dict, const Hypoelastic& elastic) {
+std::shared_ptr<const SolidLaw> makeSolidLaw(const std::string& type, const Dictionary& dict,
+                                             const Hypoelastic& elastic) {
     return table().at(type)(dict, elastic);
 }
 
@@ -75,9 +78,9 @@ double lawEnergy(const SolidLaw& law, const Tensor<Dim>& F) {
     return law.energy(deformation<Dim>(F));
 }
 
-#define PFEM_INSTANTIATE(D)                                                                               \
-    template Stress<D> lawMidpoint<D>(const SolidLaw&, const Stress<D>&, const Tensor<D>&);               \
-    template Stress<D> lawTotal<D>(const SolidLaw&, const Tensor<D>&);                                    \
+#define PFEM_INSTANTIATE(D)                                                                 \
+    template Stress<D> lawMidpoint<D>(const SolidLaw&, const Stress<D>&, const Tensor<D>&); \
+    template Stress<D> lawTotal<D>(const SolidLaw&, const Tensor<D>&);                      \
     template double lawEnergy<D>(const SolidLaw&, const Tensor<D>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)

@@ -21,8 +21,8 @@ double viscosity(const ViscousFluid& fluid, double shearRate) {
 double viscositySlope(const ViscousFluid& fluid, double shearRate) {
     if (fluid.isNewtonian()) return 0;
     const double m = fluid.regularisation, mg = m * shearRate;
-    const double yielding = mg < 1e-4 ? m * m * (mg / 3 - 0.5)
-                                      : (mg * std::exp(-mg) + std::expm1(-mg)) / (shearRate * shearRate);
+    const double yielding =
+        mg < 1e-4 ? m * m * (mg / 3 - 0.5) : (mg * std::exp(-mg) + std::expm1(-mg)) / (shearRate * shearRate);
     const double n = fluid.exponent;
     const double flowing = n == 1 ? 0 : (n - 1) * shearRate * std::pow(std::hypot(shearRate, 1 / m), n - 3);
     return fluid.yieldStress * yielding + fluid.mu * flowing;

@@ -10,9 +10,9 @@ namespace pfem {
 template <int Dim>
 double shearRate(const Tensor<Dim>& L);
 
-/// mu(g) = tau0 (1 - exp(-m g)) / g + K g^(n-1) [Pa s]: Herschel and Bulkley's law with Papanastasiou's regularisation, under
-/// which a fluid at rest creeps with the viscosity m tau0. Bingham: n = 1; Newtonian: tau0 = 0 too. n != 1: g of the second
-/// term is sqrt(g^2 + 1/m^2).
+/// mu(g) = tau0 (1 - exp(-m g)) / g + K g^(n-1) [Pa s]: Herschel and Bulkley's law with Papanastasiou's regularisation,
+/// under which a fluid at rest creeps with the viscosity m tau0. Bingham: n = 1; Newtonian: tau0 = 0 too. n != 1: g of
+/// the second term is sqrt(g^2 + 1/m^2).
 double viscosity(const ViscousFluid& fluid, double shearRate);
 
 /// d mu / d g [Pa s2].

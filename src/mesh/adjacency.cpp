@@ -60,7 +60,8 @@ struct Found {
 
 /// `open` (2D): per cell and local node, is the face opposite to it of no other cell?
 template <int Dim>
-NodeToNodes nodeToNodes(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around, std::vector<unsigned char>& open) {
+NodeToNodes nodeToNodes(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around,
+                        std::vector<unsigned char>& open) {
     const int nNodes = static_cast<int>(around.start.size()) - 1;
     std::vector<int> ring(around.cell.size() * Dim);  // of node i: from Dim * around.start[i] on
     NodeToNodes result;
@@ -73,7 +74,8 @@ NodeToNodes nodeToNodes(const std::vector<Simplex<Dim>>& cells, const NodeToCell
         for (int i = 0; i < nNodes; ++i) {
             found.clear();
             for (int s = around.start[i]; s < around.start[i + 1]; ++s)
-                for (int k = 1; k <= Dim; ++k) found.add(cells[around.cell[s]][(around.corner[s] + k) % (Dim + 1)], around.cell[s]);
+                for (int k = 1; k <= Dim; ++k)
+                    found.add(cells[around.cell[s]][(around.corner[s] + k) % (Dim + 1)], around.cell[s]);
             found.writeSorted(ring.data() + static_cast<std::ptrdiff_t>(Dim) * around.start[i]);
             const std::size_t n = found.node.size();
             result.start[i + 1] = static_cast<int>(n);
@@ -143,9 +145,9 @@ Surroundings<Dim> surroundings(const std::vector<Simplex<Dim>>& cells, const Nod
     return {std::move(ring), Dim == 2 ? listOf<Dim>(cells, open) : boundaryFaces<Dim>(cells, around)};
 }
 
-#define PFEM_INSTANTIATE(D)                                                                                              \
-    template NodeToCells nodeToCells<D>(const std::vector<Simplex<D>>&, int);                                            \
-    template std::vector<BoundaryFace<D>> boundaryFaces<D>(const std::vector<Simplex<D>>&, const NodeToCells&);          \
+#define PFEM_INSTANTIATE(D)                                                                                     \
+    template NodeToCells nodeToCells<D>(const std::vector<Simplex<D>>&, int);                                   \
+    template std::vector<BoundaryFace<D>> boundaryFaces<D>(const std::vector<Simplex<D>>&, const NodeToCells&); \
     template Surroundings<D> surroundings<D>(const std::vector<Simplex<D>>&, const NodeToCells&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)

@@ -44,8 +44,7 @@ struct BoundaryFace {
 
 /// Faces without a neighbour, in the order of cells.
 template <int Dim>
-std::vector<BoundaryFace<Dim>> boundaryFaces(const std::vector<Simplex<Dim>>& cells,
-                                             const NodeToCells& around);
+std::vector<BoundaryFace<Dim>> boundaryFaces(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around);
 
 /// The nodes around each node, and the faces without a neighbour in the order of cells.
 template <int Dim>

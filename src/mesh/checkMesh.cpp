@@ -13,14 +13,12 @@ namespace {
 
 /// 2 r/R = 16 A^2 / (abc (a + b + c)) with the sides a, b, c.
 double quality(const Points<2>& x, const Simplex<2>& s) {
-    const double a = (x[s[1]] - x[s[0]]).norm(), b = (x[s[2]] - x[s[1]]).norm(),
-                 c = (x[s[0]] - x[s[2]]).norm();
+    const double a = (x[s[1]] - x[s[0]]).norm(), b = (x[s[2]] - x[s[1]]).norm(), c = (x[s[0]] - x[s[2]]).norm();
     const double area = simplexMeasure<2>(x, s);
     return a * b * c > 0 ? 16 * area * area / (a * b * c * (a + b + c)) : 0;
 }
 
-CellShapes shapesOf(const Points<2>& x, const std::vector<Simplex<2>>& cells,
-                    std::vector<MeshFault>& faults) {
+CellShapes shapesOf(const Points<2>& x, const std::vector<Simplex<2>>& cells, std::vector<MeshFault>& faults) {
     CellShapes shapes;
     for (int e = 0; e < static_cast<int>(cells.size()); ++e) {
         const double q = quality(x, cells[e]);
@@ -33,18 +31,15 @@ CellShapes shapesOf(const Points<2>& x, const std::vector<Simplex<2>>& cells,
     return shapes;
 }
 
-void findCrowdedEdges(const Points<2>& x, const std::vector<Simplex<2>>& cells,
-                      std::vector<MeshFault>& faults) {
+void findCrowdedEdges(const Points<2>& x, const std::vector<Simplex<2>>& cells, std::vector<MeshFault>& faults) {
     std::map<std::pair<int, int>, int> count;
     for (const auto& s : cells)
         for (std::size_t k = 0; k < 3; ++k) ++count[std::minmax(s[k], s[(k + 1) % 3])];
     for (const auto& [edge, n] : count)
-        if (n > 2)
-            faults.push_back({"edge of more than two triangles", 0.5 * (x[edge.first] + x[edge.second])});
+        if (n > 2) faults.push_back({"edge of more than two triangles", 0.5 * (x[edge.first] + x[edge.second])});
 }
 
-void findTwins(const Mesh<2>& mesh, const Points<2>& x, const std::vector<double>& h,
-               std::vector<MeshFault>& faults) {
+void findTwins(const Mesh<2>& mesh, const Points<2>& x, const std::vector<double>& h, std::vector<MeshFault>& faults) {
     std::set<int> used;
     for (const auto* cells : {&mesh.fluid, &mesh.solid})
         for (const auto& s : cells->nodes) used.insert(s.begin(), s.end());
@@ -54,13 +49,12 @@ void findTwins(const Mesh<2>& mesh, const Points<2>& x, const std::vector<double
         const double near = 1e-3 * h[nodes[i]];
         for (std::size_t j = i + 1; j < nodes.size() && x[nodes[j]][0] - x[nodes[i]][0] < near; ++j)
             if ((x[nodes[j]] - x[nodes[i]]).norm() < near)
-                faults.push_back(
-                    {"two nodes at one place: bodies that touch must share their nodes", x[nodes[i]]});
+                faults.push_back({"two nodes at one place: bodies that touch must share their nodes", x[nodes[i]]});
     }
 }
 
-void findGaps(const Mesh<2>& mesh, const Topology<2>& topology, const Points<2>& x,
-              const std::vector<double>& h, std::vector<MeshFault>& gaps) {
+void findGaps(const Mesh<2>& mesh, const Topology<2>& topology, const Points<2>& x, const std::vector<double>& h,
+              std::vector<MeshFault>& gaps) {
     std::vector<Face<2>> solid;
     for (const auto& wall : topology.walls)
         if (wall.patch >= 0) solid.push_back(wall.nodes);
@@ -72,8 +66,8 @@ void findGaps(const Mesh<2>& mesh, const Topology<2>& topology, const Points<2>&
             return distanceToFace<2>(x, other, x[i]) < 0.1 * h[i] && distanceToFace<2>(x, other, x[j]) < 0.1 * h[j];
         });
         if (gap)
-            gaps.push_back({"free surface along a wall or solid: a gap, or nodes that are not shared",
-                            0.5 * (x[i] + x[j])});
+            gaps.push_back(
+                {"free surface along a wall or solid: a gap, or nodes that are not shared", 0.5 * (x[i] + x[j])});
     }
 }
 

@@ -26,8 +26,7 @@ struct MeshFault {
 struct MeshCheck {
     CellShapes fluid, solid;
     std::vector<MeshFault> faults;
-    std::vector<MeshFault>
-        gaps;  // free surface along a wall or solid; while a run goes on, a contact to come
+    std::vector<MeshFault> gaps;  // free surface along a wall or solid; while a run goes on, a contact to come
     double freeSurface = 0, wetWalls = 0, interface = 0;  // length of the fluid's faces [m]
     int pieces = 0;                                       // of free surface that hang together
 };
@@ -35,7 +34,6 @@ struct MeshCheck {
 /// Faults: inverted cells; edges of more than two cells of a kind; nodes of cells that coincide (closer than
 /// 1e-3 h) without being one. Gaps: free-surface faces whose nodes both lie nearer than 0.1 h to a wall or a
 /// solid. `h`: per node.
-MeshCheck checkMesh(const Mesh<2>& mesh, const Topology<2>& topology, const Points<2>& x,
-                    const std::vector<double>& h);
+MeshCheck checkMesh(const Mesh<2>& mesh, const Topology<2>& topology, const Points<2>& x, const std::vector<double>& h);
 
 }  // namespace pfem

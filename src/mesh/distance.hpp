@@ -30,7 +30,8 @@ double distanceToFace(const Points<Dim>& x, const Face<Dim>& face, const Vec<Dim
         return distanceToSegment<2>(x[face[0]], x[face[1]], point);
     } else {  // within the triangle from its plane, else from the nearest edge
         const Vec<3> a = x[face[0]], b = x[face[1]] - a, c = x[face[2]] - a, n = b.cross(c), d = point - a;
-        const double area = n.squaredNorm(), s = d.cross(c).dot(n), t = b.cross(d).dot(n);  // weights of b and c, times area
+        const double area = n.squaredNorm(), s = d.cross(c).dot(n),
+                     t = b.cross(d).dot(n);  // weights of b and c, times area
         if (area > 0 && s >= 0 && t >= 0 && s + t <= area) return std::abs(d.dot(n)) / std::sqrt(area);
         double nearest = distanceToSegment<3>(x[face[0]], x[face[1]], point);
         for (const int k : {1, 2})

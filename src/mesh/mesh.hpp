@@ -12,7 +12,7 @@ namespace pfem {
 template <int Dim>
 struct Cells {
     std::vector<Simplex<Dim>> nodes;
-    std::vector<int> material;  // per cell: index into Mesh::materials
+    std::vector<int> material;            // per cell: index into Mesh::materials
     std::vector<Stress<Dim>> sigma = {};  // Cauchy stress [Pa] of solid cells with elemental integration, else empty
 
     int size() const { return static_cast<int>(nodes.size()); }

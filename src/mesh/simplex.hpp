@@ -48,7 +48,8 @@ SimplexGeometry<Dim> simplexGeometry(const Points<Dim>& x, const Simplex<Dim>& s
     return g;
 }
 
-/// div v = sum_k v_k . grad N_k of the velocities at its nodes: the rate of its measure, (d|measure|/dt)/|measure| [1/s].
+/// div v = sum_k v_k . grad N_k of the velocities at its nodes: the rate of its measure, (d|measure|/dt)/|measure|
+/// [1/s].
 template <int Dim>
 double simplexDivergence(const Points<Dim>& x, const Points<Dim>& v, const Simplex<Dim>& s) {
     const auto g = simplexGeometry<Dim>(x, s);

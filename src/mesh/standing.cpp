@@ -26,7 +26,8 @@ void standOnWalls(const Mesh<2>& mesh, const std::vector<bool>& isWall, Nodes<2>
             for (std::size_t w = 0; w < faces.size(); ++w) {
                 const auto [a, b] = faces[w];
                 if (a == corner || b == corner) continue;
-                if (distanceToFace<2>(nodes.x, faces[w], nodes.x[corner]) < 1e-6 * nodes.h[corner]) nodes.wall[corner] = index[w];
+                if (distanceToFace<2>(nodes.x, faces[w], nodes.x[corner]) < 1e-6 * nodes.h[corner])
+                    nodes.wall[corner] = index[w];
             }
         }
 }

@@ -31,7 +31,8 @@ std::set<Face<Dim>> symmetryFaces(const Mesh<Dim>& mesh, const std::vector<Patch
 
 /// What depends on the walls that nodes slide along; interfaces are known.
 template <int Dim>
-void setWalls(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const std::vector<int>& wall, Topology<Dim>& t) {
+void setWalls(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const std::vector<int>& wall,
+              Topology<Dim>& t) {
     for (int i = 0; i < t.nNodes(); ++i) t.onWall[i] = wall[i] >= 0;
     const auto symmetry = symmetryFaces<Dim>(mesh, kinds);
     t.freeSurface.assign(t.nNodes(), 0);
@@ -80,9 +81,10 @@ Topology<Dim> withWalls(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kin
     return topology;
 }
 
-#define PFEM_INSTANTIATE(D)                                                                                           \
-    template Topology<D> makeTopology<D>(const Mesh<D>&, const std::vector<PatchKind>&, const std::vector<int>&);     \
-    template Topology<D> withWalls<D>(const Mesh<D>&, const std::vector<PatchKind>&, const std::vector<int>&, Topology<D>);
+#define PFEM_INSTANTIATE(D)                                                                                       \
+    template Topology<D> makeTopology<D>(const Mesh<D>&, const std::vector<PatchKind>&, const std::vector<int>&); \
+    template Topology<D> withWalls<D>(const Mesh<D>&, const std::vector<PatchKind>&, const std::vector<int>&,     \
+                                      Topology<D>);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

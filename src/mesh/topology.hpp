@@ -27,7 +27,8 @@ inline std::vector<bool> wallPatches(const std::vector<PatchKind>& kinds) {
     return walls;
 }
 
-/// Nodes of solids and of all patches (corners of walls, planes of symmetry): the fluid's remeshing leaves them as they are.
+/// Nodes of solids and of all patches (corners of walls, planes of symmetry): the fluid's remeshing leaves them as they
+/// are.
 template <int Dim>
 std::vector<unsigned char> keptNodes(const Mesh<Dim>& mesh, int nNodes) {
     std::vector<unsigned char> kept(nNodes, 0);

@@ -26,7 +26,8 @@ struct Vertices {
     /// The first one within `tolerance`, or a new one.
     int findOrAdd(const Vec<2>& point, double tolerance) {
         int found = -1;
-        for (auto it = byX.lower_bound(point.x() - tolerance); it != byX.end() && it->first <= point.x() + tolerance; ++it)
+        for (auto it = byX.lower_bound(point.x() - tolerance); it != byX.end() && it->first <= point.x() + tolerance;
+             ++it)
             if ((x[it->second] - point).norm() <= tolerance && (found < 0 || it->second < found)) found = it->second;
         if (found >= 0) return found;
         x.push_back(point);
@@ -68,11 +69,10 @@ std::vector<std::pair<double, int>> cuts(const RawEdge& e, const Vertices& verti
 
 [[noreturn]] void patternCut(const MeshDescription& mesh, const RawEdge& e, const Vec<2>& x) {
     const Body& body = mesh.bodies[e.outline];
-    throw UserError(
-        fmt::format("A vertex at ({:g} {:g}) lies between two nodes of the structured body '{}'.\n"
-                    "Choose 'cells' so that one of its nodes falls there, or leave out 'pattern'.",
-                    x.x(), x.y(), body.name),
-        body.at("pattern"));
+    throw UserError(fmt::format("A vertex at ({:g} {:g}) lies between two nodes of the structured body '{}'.\n"
+                                "Choose 'cells' so that one of its nodes falls there, or leave out 'pattern'.",
+                                x.x(), x.y(), body.name),
+                    body.at("pattern"));
 }
 
 /// The rim of a hole, and of the same body the outline or the rim of another hole in the other direction: the body is
@@ -95,7 +95,9 @@ void cancelHoles(std::vector<PieceUse>& uses) {
 /// Where the outline goes there and back along one piece it goes nowhere.
 void dropSpikes(int outline, Arrangement& arrangement) {
     auto& chain = arrangement.chains[outline];
-    const auto isSpike = [&](const PieceRef& p, const PieceRef& q) { return p.piece == q.piece && p.forward != q.forward; };
+    const auto isSpike = [&](const PieceRef& p, const PieceRef& q) {
+        return p.piece == q.piece && p.forward != q.forward;
+    };
     const auto dropUses = [&](const PieceRef& ref) {
         std::erase_if(arrangement.pieces[ref.piece].uses, [&](const PieceUse& use) { return use.outline == outline; });
     };
@@ -148,7 +150,8 @@ void dropVertices(Arrangement& arrangement) {
 
 bool Arrangement::bounds(int piece, int body, bool rim) const {
     const auto& uses = pieces[piece].uses;
-    return std::any_of(uses.begin(), uses.end(), [&](const PieceUse& use) { return use.outline == body && (use.edge < 0) == rim; });
+    return std::any_of(uses.begin(), uses.end(),
+                       [&](const PieceUse& use) { return use.outline == body && (use.edge < 0) == rim; });
 }
 
 Arrangement arrange(const MeshDescription& mesh, double tolerance) {

@@ -39,11 +39,14 @@ void checkCrossings(const MeshDescription& mesh, const Arrangement& arrangement,
     const auto& [p, q, at] = *crossing;
     const std::string where = fmt::format("near ({:.6g} {:.6g})", at.x(), at.y());
     if (names.sameOutline(p, q))
-        throw UserError(fmt::format("The outline of {} crosses itself {}: {} and {}", names.title(p), where, names.edge(p), names.edge(q)),
+        throw UserError(fmt::format("The outline of {} crosses itself {}: {} and {}", names.title(p), where,
+                                    names.edge(p), names.edge(q)),
                         names.place(p));
-    throw UserError(fmt::format("The outlines of {} ({}) and {} ({}) cross {}: bodies must not overlap, and a wall must not cut a body",
-                                names.title(p), names.edge(p), names.title(q), names.edge(q), where),
-                    names.place(std::max(p, q)));
+    throw UserError(
+        fmt::format(
+            "The outlines of {} ({}) and {} ({}) cross {}: bodies must not overlap, and a wall must not cut a body",
+            names.title(p), names.edge(p), names.title(q), names.edge(q), where),
+        names.place(std::max(p, q)));
 }
 
 bool crosses(const BoundaryNodes& boundary) { return findCrossing(Chords(boundary), boundary.x).has_value(); }

@@ -13,8 +13,7 @@ namespace {
 
 std::string pointList(Points<2> points) {
     std::string text = "(";
-    for (const auto& x : points)
-        text += fmt::format("{}({:g} {:g})", text.size() > 1 ? " " : "", x.x(), x.y());
+    for (const auto& x : points) text += fmt::format("{}({:g} {:g})", text.size() > 1 ? " " : "", x.x(), x.y());
     return text + ")";
 }
 
@@ -26,26 +25,24 @@ void checkOutline(const Outline& outline, const char* what, const char* keyword,
                                     different < n ? " different" : "", least),
                         outline.at(keyword));
     if (outline.meshSize < 0)
-        throw UserError(
-            fmt::format("meshSize of '{}' must be positive, not {:g}", outline.name, outline.meshSize),
-            outline.at("meshSize"));
+        throw UserError(fmt::format("meshSize of '{}' must be positive, not {:g}", outline.name, outline.meshSize),
+                        outline.at("meshSize"));
     for (const auto& arc : outline.arcs) {
-        const int m = static_cast<int>(n), low = std::min(arc.from, arc.to),
-                  high = std::max(arc.from, arc.to);
-        const bool edge =
-            low >= 0 && high < m && (high == low + 1 || (outline.closed && low == 0 && high == m - 1));
+        const int m = static_cast<int>(n), low = std::min(arc.from, arc.to), high = std::max(arc.from, arc.to);
+        const bool edge = low >= 0 && high < m && (high == low + 1 || (outline.closed && low == 0 && high == m - 1));
         if (!edge)
-            throw UserError(
-                fmt::format("arc {} {}: '{}' has no edge between these points (it has points 0 to {})",
-                            arc.from, arc.to, outline.name, m - 1),
-                outline.at("edges"));
-        if ((outline.points[arc.from] - outline.points[arc.to]).norm() <= tolerance)
-            throw UserError(fmt::format("arc {0} {1}: the points {0} and {1} of '{2}' are one", arc.from, arc.to, outline.name),
+            throw UserError(fmt::format("arc {} {}: '{}' has no edge between these points (it has points 0 to {})",
+                                        arc.from, arc.to, outline.name, m - 1),
                             outline.at("edges"));
+        if ((outline.points[arc.from] - outline.points[arc.to]).norm() <= tolerance)
+            throw UserError(
+                fmt::format("arc {0} {1}: the points {0} and {1} of '{2}' are one", arc.from, arc.to, outline.name),
+                outline.at("edges"));
     }
 }
 
-/// Twice the width of a slender body, or the diameter of a round one; what is rough below half of the size does not count.
+/// Twice the width of a slender body, or the diameter of a round one; what is rough below half of the size does not
+/// count.
 double widthOf(const Body& body, double h) {
     const double area = outlineArea(body);
     double perimeter = 0;
@@ -67,15 +64,13 @@ void checkBody(const MeshDescription& mesh, int index, double tolerance) {
     if (area < 0) {
         checkShape(mesh, index, true);
         Points<2> reversed(body.points.rbegin(), body.points.rend());
-        throw UserError(
-            fmt::format("The vertices of body '{}' run clockwise; write them counter-clockwise:\n{}",
-                        body.name, pointList(reversed)),
-            body.at("vertices"));
+        throw UserError(fmt::format("The vertices of body '{}' run clockwise; write them counter-clockwise:\n{}",
+                                    body.name, pointList(reversed)),
+                        body.at("vertices"));
     }
     if (!(h > 0))
-        throw UserError(
-            fmt::format("Body '{}' has no meshSize, and the dictionary has no default one", body.name),
-            body.at());
+        throw UserError(fmt::format("Body '{}' has no meshSize, and the dictionary has no default one", body.name),
+                        body.at());
     if (const double width = widthOf(body, h); h > width) {
         checkShape(mesh, index, true);
         throw UserError(fmt::format("meshSize {:g} is larger than body '{}' (about {:.3g} wide)", h, body.name, width),
@@ -83,22 +78,19 @@ void checkBody(const MeshDescription& mesh, int index, double tolerance) {
     }
     if (body.pattern != Pattern::unstructured &&
         (body.points.size() != 4 || distinctPoints(body, tolerance).size() != 4 || !body.holes.empty()))
-        throw UserError(
-            fmt::format("A structured pattern needs four vertices and no holes; body '{}' has {} vertices",
-                        body.name, body.points.size()),
-            body.at("pattern"));
+        throw UserError(fmt::format("A structured pattern needs four vertices and no holes; body '{}' has {} vertices",
+                                    body.name, body.points.size()),
+                        body.at("pattern"));
     if (body.cells[0] < 0 || body.cells[1] < 0 || (body.cells[0] == 0) != (body.cells[1] == 0))
-        throw UserError(fmt::format("cells of '{}' must be two positive numbers", body.name),
-                        body.at("cells"));
+        throw UserError(fmt::format("cells of '{}' must be two positive numbers", body.name), body.at("cells"));
     const int n = static_cast<int>(body.points.size());
     for (const auto& [name, edges] : body.patches)
         for (const auto& [a, b] : edges)
             if (a < 0 || b < 0 || a >= n || b >= n || ((a + 1) % n != b && (b + 1) % n != a))
-                throw UserError(
-                    fmt::format("patch '{}': body '{}' has no edge ({} {}); its edges join the vertices "
-                                "0 to {} in their order, the last one with the first",
-                                name, body.name, a, b, n - 1),
-                    body.at("patches"));
+                throw UserError(fmt::format("patch '{}': body '{}' has no edge ({} {}); its edges join the vertices "
+                                            "0 to {} in their order, the last one with the first",
+                                            name, body.name, a, b, n - 1),
+                                body.at("patches"));
     for (const auto& hole : body.holes) {
         if (std::count(body.holes.begin(), body.holes.end(), hole) > 1)
             throw UserError(fmt::format("Body '{}' has the hole '{}' twice", body.name, hole), body.at("holes"));
@@ -131,9 +123,8 @@ void checkDescription(const MeshDescription& mesh) {
     for (const auto& body : mesh.bodies)
         for (const auto& [name, edges] : body.patches)
             if (names.count(name))
-                throw UserError(
-                    fmt::format("patch '{}' of body '{}' has the name of a wall", name, body.name),
-                    body.at("patches"));
+                throw UserError(fmt::format("patch '{}' of body '{}' has the name of a wall", name, body.name),
+                                body.at("patches"));
 }
 
 void checkCount(const MeshDescription& mesh) {
@@ -154,7 +145,8 @@ void checkCount(const MeshDescription& mesh) {
         for (const auto& x : body.points) low = low.cwiseMin(x), high = high.cwiseMax(x);
     for (Refinement refinement : mesh.refinements) {
         if (refinement.box)
-            refinement.points = {refinement.points[0].cwiseMax(low).cwiseMin(high), refinement.points[1].cwiseMax(low).cwiseMin(high)};
+            refinement.points = {refinement.points[0].cwiseMax(low).cwiseMin(high),
+                                 refinement.points[1].cwiseMax(low).cwiseMin(high)};
         const double count = refinement.area() / (std::sqrt(3.0) / 4 * refinement.meshSize * refinement.meshSize);
         if (count > 2e7)
             throw UserError(fmt::format("Refinement '{}' would have about {:.1e} triangles. Check its meshSize and the "

@@ -8,8 +8,8 @@ namespace {
 
 constexpr double leastGap = 0.1;  // between outlines that do not touch / mesh size
 
-/// The nodes that one comes to from a node along the outlines without leaving the circle of some radius: what they bound is
-/// a detail, not a gap. Also the next ones, wherever they are.
+/// The nodes that one comes to from a node along the outlines without leaving the circle of some radius: what they
+/// bound is a detail, not a gap. Also the next ones, wherever they are.
 class Neighbourhood {
 public:
     Neighbourhood(const Chords& chords, const Points<2>& x) : chords_(chords), x_(x), seenFrom_(x.size(), -1) {}
@@ -45,7 +45,8 @@ void checkGaps(const MeshDescription& mesh, const Arrangement& arrangement, cons
     double widest = chords.longest;
     for (const double size : boundary.h) widest = std::max(widest, leastGap * size);
     BinGrid bins(widest);
-    for (int k = 0; k < static_cast<int>(chords.all.size()); ++k) bins.addSegment(k, x[chords.all[k].a], x[chords.all[k].b]);
+    for (int k = 0; k < static_cast<int>(chords.all.size()); ++k)
+        bins.addSegment(k, x[chords.all[k].a], x[chords.all[k].b]);
     Neighbourhood joined(chords, x);
     for (int i = 0; i < static_cast<int>(x.size()); ++i) {
         const double least = leastGap * boundary.h[i];
@@ -58,17 +59,21 @@ void checkGaps(const MeshDescription& mesh, const Arrangement& arrangement, cons
             const auto& near = chords.at[i];
             const int mine = chords.all[near.back()].piece;
             if (names.sameOutline(mine, c.piece))
-                throw UserError(fmt::format("The outline of {} comes within {:.3g} of itself at ({:.9g} {:.9g}), {} and {}: too narrow for its "
-                                            "meshSize {:g}.\nLeave at least a tenth of meshSize between them, or choose a smaller one.",
-                                            names.title(mine), distance, x[i].x(), x[i].y(), names.edge(mine), names.edge(c.piece),
-                                            boundary.h[i]),
-                                names.place(mine));
-            throw UserError(fmt::format("The point ({:.9g} {:.9g}) of {} ({}) is {:.3g} from {} ({}): neither joined nor apart "
-                                        "(meshSize {:g}).\nGive both the same coordinates, or leave at least a tenth of "
-                                        "meshSize between them.",
-                                        x[i].x(), x[i].y(), names.title(mine), names.edge(mine), distance, names.title(c.piece),
-                                        names.edge(c.piece), boundary.h[i]),
-                            names.place(std::max(mine, c.piece)));
+                throw UserError(
+                    fmt::format(
+                        "The outline of {} comes within {:.3g} of itself at ({:.9g} {:.9g}), {} and {}: too narrow for "
+                        "its "
+                        "meshSize {:g}.\nLeave at least a tenth of meshSize between them, or choose a smaller one.",
+                        names.title(mine), distance, x[i].x(), x[i].y(), names.edge(mine), names.edge(c.piece),
+                        boundary.h[i]),
+                    names.place(mine));
+            throw UserError(
+                fmt::format("The point ({:.9g} {:.9g}) of {} ({}) is {:.3g} from {} ({}): neither joined nor apart "
+                            "(meshSize {:g}).\nGive both the same coordinates, or leave at least a tenth of "
+                            "meshSize between them.",
+                            x[i].x(), x[i].y(), names.title(mine), names.edge(mine), distance, names.title(c.piece),
+                            names.edge(c.piece), boundary.h[i]),
+                names.place(std::max(mine, c.piece)));
         });
     }
 }

@@ -21,8 +21,12 @@ struct Side {
 class Shape {
 public:
     Shape(const MeshDescription& mesh, int outline, bool arcs)
-        : mesh_(mesh), index_(outline), outline_(outlineOf(mesh, outline)), wall_(outline >= static_cast<int>(mesh.bodies.size())),
-          tolerance_(mergeDistance(mesh)), detail_(thinOutTolerance * 1e6 * tolerance_) {
+        : mesh_(mesh),
+          index_(outline),
+          outline_(outlineOf(mesh, outline)),
+          wall_(outline >= static_cast<int>(mesh.bodies.size())),
+          tolerance_(mergeDistance(mesh)),
+          detail_(thinOutTolerance * 1e6 * tolerance_) {
         const auto points = distinctPoints(outline_, tolerance_);
         const int n = static_cast<int>(outline_.points.size());
         for (std::size_t k = 0; k < points.size(); ++k) {
@@ -32,8 +36,8 @@ public:
             const int chords = curve.isArc() ? 32 : 1;
             if (curve.isArc() && !arcs) continue;
             for (int c = 0; c < chords; ++c)
-                sides_.push_back({c == 0 ? outline_.points[from] : curve.point(double(c) / chords), curve.point(double(c + 1) / chords),
-                                  c == 0 ? from : -1, c + 1 == chords ? to : -1});
+                sides_.push_back({c == 0 ? outline_.points[from] : curve.point(double(c) / chords),
+                                  curve.point(double(c + 1) / chords), c == 0 ? from : -1, c + 1 == chords ? to : -1});
         }
     }
 
@@ -83,28 +87,35 @@ private:
     /// Whether an edge too short for the mesh to show joins the points.
     bool neighbours(int p, int q) const {
         const int n = static_cast<int>(outline_.points.size()), between = std::abs(p - q);
-        return q >= 0 && (between == 1 || (outline_.closed && between == n - 1)) && (outline_.points[p] - outline_.points[q]).norm() < detail_;
+        return q >= 0 && (between == 1 || (outline_.closed && between == n - 1)) &&
+               (outline_.points[p] - outline_.points[q]).norm() < detail_;
     }
 
     bool touch(const Side& s, const Side& t) const {
         return segmentDistance(s.a, t.a, t.b) <= tolerance_ || segmentDistance(s.b, t.a, t.b) <= tolerance_ ||
                segmentDistance(t.a, s.a, s.b) <= tolerance_ || segmentDistance(t.b, s.a, s.b) <= tolerance_;
     }
-    static std::string edge(const Side& s) { return s.from < 0 || s.to < 0 ? "an arc" : fmt::format("edge {}-{}", s.from, s.to); }
+    static std::string edge(const Side& s) {
+        return s.from < 0 || s.to < 0 ? "an arc" : fmt::format("edge {}-{}", s.from, s.to);
+    }
 
     void checkTouch(const Side& s, const Side& t) const {
         for (const int p : {s.from, s.to})
             for (const int q : {t.from, t.to})
                 if (p >= 0 && q >= 0 && (outline_.points[p] - outline_.points[q]).norm() <= tolerance_)
-                    fail(fmt::format("touches itself: its vertices {} and {} are one point {}. {}", std::min(p, q), std::max(p, q),
-                                     place(outline_.points[p]), remedy()),
+                    fail(fmt::format("touches itself: its vertices {} and {} are one point {}. {}", std::min(p, q),
+                                     std::max(p, q), place(outline_.points[p]), remedy()),
                          std::max(p, q));
         for (const auto& [side, other] : {std::pair(&s, &t), std::pair(&t, &s)})
             for (const int p : {side->from, side->to})
                 if (p >= 0 && segmentDistance(outline_.points[p], other->a, other->b) <= tolerance_)
-                    fail(fmt::format("touches itself: its vertex {} {} lies on {}. {}", p, place(outline_.points[p]), edge(*other), remedy()), p);
+                    fail(fmt::format("touches itself: its vertex {} {} lies on {}. {}", p, place(outline_.points[p]),
+                                     edge(*other), remedy()),
+                         p);
     }
-    static std::string remedy() { return "Make two bodies of it or, where it goes round a hole, write the hole as a body of its own in 'holes'."; }
+    static std::string remedy() {
+        return "Make two bodies of it or, where it goes round a hole, write the hole as a body of its own in 'holes'.";
+    }
 
     const MeshDescription& mesh_;
     int index_;

@@ -25,12 +25,16 @@ void checkSpikes(const MeshDescription& mesh, const Arrangement& arrangement, co
                 const int p = chords.all[k].piece, q = chords.all[l].piece;
                 const double degrees = std::asin(sine) * 180 / M_PI;
                 if (names.sameOutline(p, q))
-                    throw UserError(fmt::format("The outline of {} has a spike of {:.2g} degrees at its {}: too sharp for a triangle. "
-                                                "Leave it out or make it wider.",
-                                                names.title(p), degrees, names.point(p, x[i])),
-                                    names.place(p));
-                throw UserError(fmt::format("{} ({}) and {} ({}) meet at ({:.9g} {:.9g}) at an angle of {:.2g} degrees: too sharp for a triangle",
-                                            names.title(p), names.edge(p), names.title(q), names.edge(q), x[i].x(), x[i].y(), degrees),
+                    throw UserError(
+                        fmt::format(
+                            "The outline of {} has a spike of {:.2g} degrees at its {}: too sharp for a triangle. "
+                            "Leave it out or make it wider.",
+                            names.title(p), degrees, names.point(p, x[i])),
+                        names.place(p));
+                throw UserError(fmt::format("{} ({}) and {} ({}) meet at ({:.9g} {:.9g}) at an angle of {:.2g} "
+                                            "degrees: too sharp for a triangle",
+                                            names.title(p), names.edge(p), names.title(q), names.edge(q), x[i].x(),
+                                            x[i].y(), degrees),
                                 names.place(std::max(p, q)));
             }
 }

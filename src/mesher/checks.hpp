@@ -27,7 +27,8 @@ void checkSpikes(const MeshDescription& mesh, const Arrangement& arrangement, co
 
 /// What is said of points that were merged with the one before, and of those that `simplify` has left out.
 std::vector<std::string> mergedPoints(const MeshDescription& mesh, double tolerance);
-std::vector<std::string> leftOutPoints(const MeshDescription& mesh, const Arrangement& whole, const std::vector<int>& leftOut);
+std::vector<std::string> leftOutPoints(const MeshDescription& mesh, const Arrangement& whole,
+                                       const std::vector<int>& leftOut);
 
 /// Bodies inside each other, walls inside bodies, fluid on the right of a wall.
 /// Returns warnings.

@@ -56,7 +56,8 @@ public:
         const auto nearest = std::min_element(points.begin(), points.end(), [&](const Vec<2>& p, const Vec<2>& q) {
             return (p - x).squaredNorm() < (q - x).squaredNorm();
         });
-        return fmt::format("{} {} ({:.9g} {:.9g})", arrangement_.isWall(use(piece)) ? "point" : "vertex", nearest - points.begin(), x.x(), x.y());
+        return fmt::format("{} {} ({:.9g} {:.9g})", arrangement_.isWall(use(piece)) ? "point" : "vertex",
+                           nearest - points.begin(), x.x(), x.y());
     }
 
 private:

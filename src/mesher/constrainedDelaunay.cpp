@@ -17,14 +17,14 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;  // info: index of the point
-using FaceInfo = CGAL::Triangulation_face_base_with_info_2<int, Kernel>;  // info: loops crossed from outside
+using FaceInfo = CGAL::Triangulation_face_base_with_info_2<int, Kernel>;      // info: loops crossed from outside
 using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel, FaceInfo>;
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
-using Delaunay =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_tag>;
+using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_tag>;
 
 /// The points on a grid of a billionth of their extent. Four points on one circle, as corners of a rectangle or of a
-/// symmetric trapezoid are, would leave the choice of the diagonal to round-off; on the grid it is the same in all units.
+/// symmetric trapezoid are, would leave the choice of the diagonal to round-off; on the grid it is the same in all
+/// units.
 std::vector<Kernel::Point_2> onGrid(const Points<2>& points) {
     Vec<2> low = points.front(), high = low;
     for (const auto& x : points) {
@@ -79,8 +79,7 @@ void countCrossings(Delaunay& delaunay) {
 std::vector<Simplex<2>> triangulate(const Points<2>& points, const std::vector<Face<2>>& edges) {
     Delaunay delaunay;
     const auto vertex = insertPoints(delaunay, points);
-    if (delaunay.number_of_vertices() != points.size())
-        throw InternalError("triangulate: two points coincide");
+    if (delaunay.number_of_vertices() != points.size()) throw InternalError("triangulate: two points coincide");
     try {
         for (const auto& [a, b] : edges) delaunay.insert_constraint(vertex[a], vertex[b]);
     } catch (const Delaunay::Intersection_of_constraints_exception&) {

@@ -10,9 +10,7 @@ namespace {
 
 constexpr double twoPi = 2 * std::numbers::pi;
 
-double angleOf(const Vec<2>& d) {
-    return std::atan2(d.y(), d.x());
-}
+double angleOf(const Vec<2>& d) { return std::atan2(d.y(), d.x()); }
 
 /// angle modulo 2 pi, in [0, 2 pi)
 double positive(double angle) {
@@ -34,9 +32,9 @@ std::optional<Curve> Curve::arc(const Vec<2>& a, const Vec<2>& through, const Ve
     const double cross = u.x() * w.y() - u.y() * w.x();
     if (std::abs(cross) <= 1e-9 * u.norm() * w.norm() || (through - b).norm() <= 1e-9 * w.norm()) return {};
     // circumcentre of (a, through, b), relative to a
-    const Vec<2> centre = Vec<2>(w.y() * u.squaredNorm() - u.y() * w.squaredNorm(),
-                                 u.x() * w.squaredNorm() - w.x() * u.squaredNorm()) /
-                          (2 * cross);
+    const Vec<2> centre =
+        Vec<2>(w.y() * u.squaredNorm() - u.y() * w.squaredNorm(), u.x() * w.squaredNorm() - w.x() * u.squaredNorm()) /
+        (2 * cross);
     Curve c = line(a, b);
     c.centre_ = a + centre;
     c.radius_ = centre.norm();
@@ -55,9 +53,7 @@ Vec<2> Curve::point(double s) const {
     return centre_ + radius_ * Vec<2>(std::cos(angle), std::sin(angle));
 }
 
-double Curve::length() const {
-    return isArc() ? radius_ * std::abs(sweep_) : (b_ - a_).norm();
-}
+double Curve::length() const { return isArc() ? radius_ * std::abs(sweep_) : (b_ - a_).norm(); }
 
 std::optional<double> Curve::parameterOf(const Vec<2>& x, double tolerance) const {
     if ((x - a_).norm() <= tolerance) return 0.0;

@@ -20,8 +20,8 @@ std::vector<Simplex<2>> fillPattern(Region& region, Pattern pattern, std::array<
         for (int i = 1; i < nx; ++i) {
             const double u = double(i) / nx, v = double(j) / ny;
             const auto& x = region.x;
-            const Vec<2> corners = (1 - u) * (1 - v) * x[bottom(0)] + u * (1 - v) * x[bottom(nx)] +
-                                   u * v * x[top(nx)] + (1 - u) * v * x[top(0)];
+            const Vec<2> corners = (1 - u) * (1 - v) * x[bottom(0)] + u * (1 - v) * x[bottom(nx)] + u * v * x[top(nx)] +
+                                   (1 - u) * v * x[top(0)];
             const Vec<2> inner =
                 (1 - v) * x[bottom(i)] + v * x[top(i)] + (1 - u) * x[left(j)] + u * x[right(j)] - corners;
             at(i, j) = static_cast<int>(x.size());

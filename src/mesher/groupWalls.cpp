@@ -57,13 +57,15 @@ std::vector<Face<2>> orientWall(const std::vector<WallEdge>& edges, const Sides&
     }
     std::vector<Face<2>> kept;
     for (const auto& face : faces)
-        if (const auto side = sides.find(face); side == sides.end() || side->second == BodyType::fluid) kept.push_back(face);
+        if (const auto side = sides.find(face); side == sides.end() || side->second == BodyType::fluid)
+            kept.push_back(face);
     return kept;
 }
 
 void addPointWall(const Wall& wall, const Sides& sides, double meanSize, Draft& draft, Patch<2>& patch) {
     if (!wall.arcs.empty())
-        throw UserError("wall '" + wall.name + "': with a mesh file a curved wall must be a group of its edges", wall.at("edges"));
+        throw UserError("wall '" + wall.name + "': with a mesh file a curved wall must be a group of its edges",
+                        wall.at("edges"));
     const double tolerance = onLine * meanSize;
     std::set<int> outline;
     for (const auto& [face, type] : sides)
@@ -82,7 +84,8 @@ void addPointWall(const Wall& wall, const Sides& sides, double meanSize, Draft& 
     for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
         const Vec<2> a = draft.x[corners[k]], d = draft.x[corners[k + 1]] - a;
         const double length = d.norm();
-        if (!(length > tolerance)) throw UserError("wall '" + wall.name + "' has the same point twice", wall.at("points"));
+        if (!(length > tolerance))
+            throw UserError("wall '" + wall.name + "' has the same point twice", wall.at("points"));
         std::vector<std::pair<double, int>> on = {{0.0, corners[k]}, {length, corners[k + 1]}};
         for (const int i : outline) {
             if (i == corners[k] || i == corners[k + 1]) continue;
@@ -96,10 +99,11 @@ void addPointWall(const Wall& wall, const Sides& sides, double meanSize, Draft& 
         for (std::size_t i = 0; i + 1 < on.size(); ++i) {
             const Face<2> face = {on[i].second, on[i + 1].second}, back = {face[1], face[0]};
             if (has(sides, back))
-                throw UserError(fmt::format("wall '{}' has a body on its right at ({:g} {:g}): the line of a wall has the "
-                                            "fluid on its left, turn its points around",
-                                            wall.name, draft.x[face[0]].x(), draft.x[face[0]].y()),
-                                wall.at("points"));
+                throw UserError(
+                    fmt::format("wall '{}' has a body on its right at ({:g} {:g}): the line of a wall has the "
+                                "fluid on its left, turn its points around",
+                                wall.name, draft.x[face[0]].x(), draft.x[face[0]].y()),
+                    wall.at("points"));
             const auto side = sides.find(face);
             if (side == sides.end() || side->second == BodyType::fluid) patch.faces.push_back(face);
         }
@@ -120,9 +124,10 @@ void checkTouching(const Draft& draft, const Sides& sides, double meanSize) {
             const double s = (draft.x[i] - draft.x[a]).dot(d) / d.squaredNorm();
             if (i == a || i == b || s <= onLine || s >= 1 - onLine) return;
             if (segmentDistance(draft.x[i], draft.x[a], draft.x[b]) > onLine * std::min(meanSize, d.norm())) return;
-            throw UserError(fmt::format("bodies touch at ({:g} {:g}) without common nodes: make the geometry of one piece "
-                                        "(Gmsh: BooleanFragments, or common points and curves)",
-                                        draft.x[i].x(), draft.x[i].y()));
+            throw UserError(
+                fmt::format("bodies touch at ({:g} {:g}) without common nodes: make the geometry of one piece "
+                            "(Gmsh: BooleanFragments, or common points and curves)",
+                            draft.x[i].x(), draft.x[i].y()));
         });
     }
 }

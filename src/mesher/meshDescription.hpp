@@ -47,14 +47,14 @@ struct Body : Outline {
 
     BodyType type = BodyType::fluid;
     std::string material;
-    Vec<2> velocity = Vec<2>::Zero();  // initial [m/s]
+    Vec<2> velocity = Vec<2>::Zero();                    // initial [m/s]
     std::function<Vec<2>(const Vec<2>&)> velocityField;  // initial, of the place; empty: uniform
     Pattern pattern = Pattern::unstructured;
-    std::array<int, 2> cells = {0, 0};  // along edges 0-1 and 1-2; 0: from meshSize
-    std::vector<std::string> holes;     // bodies whose outlines are cut out of this one
+    std::array<int, 2> cells = {0, 0};                               // along edges 0-1 and 1-2; 0: from meshSize
+    std::vector<std::string> holes;                                  // bodies whose outlines are cut out of this one
     std::map<std::string, std::vector<std::array<int, 2>>> patches;  // name -> edges as pairs of vertices
-    std::string group;                              // of a mesh file: its triangles
-    std::map<std::string, std::string> edgeGroups;  // of a mesh file: patch -> group of edges
+    std::string group;                                               // of a mesh file: its triangles
+    std::map<std::string, std::string> edgeGroups;                   // of a mesh file: patch -> group of edges
 };
 
 struct Wall : Outline {
@@ -82,9 +82,9 @@ struct MeshDescription {
     std::vector<Wall> walls;
     std::vector<Refinement> refinements;
 
-    std::string meshFile;                 // of another program, relative to the case; "": mesh the polygons
+    std::string meshFile;                // of another program, relative to the case; "": mesh the polygons
     std::string cellArray = "material";  // of a .vtu: its groups
-    double scale = 1;                     // from the file's lengths to metres
+    double scale = 1;                    // from the file's lengths to metres
     Location meshFileAt;
 };
 

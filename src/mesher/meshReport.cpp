@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-
 namespace pfem {
 
 TriangleQuality triangleQuality(const Nodes<2>& nodes, const Cells<2>& cells, int first, int last) {
@@ -56,26 +55,25 @@ std::vector<int> wallTriangles(const State<2>& state) {
 
 std::string meshReport(const MeshDescription& description, const MeshResult& result) {
     const auto& state = result.state;
-    std::string text = fmt::format("{:<16s} {:<6s} {:<12s} {:>9s} {:>12s} {:>10s} {:>6s} {:>6s}   {}\n",
-                                   "body", "type", "material", "triangles", "area [m2]", "size [m]", "min",
-                                   "mean", "edge/size: min median max");
+    std::string text =
+        fmt::format("{:<16s} {:<6s} {:<12s} {:>9s} {:>12s} {:>10s} {:>6s} {:>6s}   {}\n", "body", "type", "material",
+                    "triangles", "area [m2]", "size [m]", "min", "mean", "edge/size: min median max");
     std::string warnings;
     for (const auto& warning : result.warnings) warnings += "--> PFEM Warning: " + warning + "\n";
     for (std::size_t b = 0; b < description.bodies.size(); ++b) {
         const Body& body = description.bodies[b];
         const bool fluid = body.type == BodyType::fluid;
         const auto& meshed = result.bodies[b];
-        const auto q = triangleQuality(state.nodes, fluid ? state.mesh.fluid : state.mesh.solid, meshed.first,
-                                       meshed.last);
+        const auto q =
+            triangleQuality(state.nodes, fluid ? state.mesh.fluid : state.mesh.solid, meshed.first, meshed.last);
         const double h = meshed.size;
-        text += fmt::format(
-            "{:<16s} {:<6s} {:<12s} {:>9d} {:>12.6g} {:>10g} {:>6.1f} {:>6.1f}   {:.2f} {:.2f} {:.2f}\n",
-            body.name, fluid ? "fluid" : "solid", body.material, q.count, q.area, h, q.minAngle,
-            q.meanMinAngle, q.shortest, q.median, q.longest);
+        text +=
+            fmt::format("{:<16s} {:<6s} {:<12s} {:>9d} {:>12.6g} {:>10g} {:>6.1f} {:>6.1f}   {:.2f} {:.2f} {:.2f}\n",
+                        body.name, fluid ? "fluid" : "solid", body.material, q.count, q.area, h, q.minAngle,
+                        q.meanMinAngle, q.shortest, q.median, q.longest);
         if (q.minAngle < 20)
-            warnings +=
-                fmt::format("--> PFEM Warning: '{}' has an angle of {:.1f} degrees near ({:g} {:g})\n",
-                            body.name, q.minAngle, q.worst.x(), q.worst.y());
+            warnings += fmt::format("--> PFEM Warning: '{}' has an angle of {:.1f} degrees near ({:g} {:g})\n",
+                                    body.name, q.minAngle, q.worst.x(), q.worst.y());
         // a slender body's thickness is about twice its area by its perimeter
         const double across = 2 * meshed.area / meshed.perimeter / h;
         if (!fluid && body.pattern == Pattern::unstructured && across < 3)
@@ -88,15 +86,14 @@ std::string meshReport(const MeshDescription& description, const MeshResult& res
     for (const auto& patch : state.mesh.patches) {
         double length = 0;
         for (const auto& [a, b] : patch.faces) length += (state.nodes.x[a] - state.nodes.x[b]).norm();
-        text +=
-            fmt::format("patch {:<16s} {:>7d} faces {:>12.6g} m\n", patch.name, patch.faces.size(), length);
-        if (patch.faces.empty())
-            warnings += fmt::format("--> PFEM Warning: patch '{}' has no face\n", patch.name);
+        text += fmt::format("patch {:<16s} {:>7d} faces {:>12.6g} m\n", patch.name, patch.faces.size(), length);
+        if (patch.faces.empty()) warnings += fmt::format("--> PFEM Warning: patch '{}' has no face\n", patch.name);
     }
     for (const auto& wall : description.walls)
         if (!wall.arcs.empty())
             warnings += fmt::format(
-                "--> PFEM Warning: wall '{}' has arcs: fluid slides along straight walls only and sticks to the corners "
+                "--> PFEM Warning: wall '{}' has arcs: fluid slides along straight walls only and sticks to the "
+                "corners "
                 "of a curved one, also with slip\n",
                 wall.name);
     const auto stuck = wallTriangles(state);

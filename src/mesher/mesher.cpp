@@ -20,8 +20,7 @@ void addFaces(Patch<2>& patch, const std::vector<int>& nodes, bool forward) {
 }
 
 /// Fill one body and append its points and cells; returns where its cells are.
-MeshedBody addBody(Draft& draft, const MeshDescription& description, int index, Region& region,
-                   const SizeField& size) {
+MeshedBody addBody(Draft& draft, const MeshDescription& description, int index, Region& region, const SizeField& size) {
     const Body& body = description.bodies[index];
     const auto triangles = body.pattern == Pattern::unstructured
                                ? fillUnstructured(region, size)
@@ -59,11 +58,13 @@ void addPatches(Draft& draft, const MeshDescription& description, const Arrangem
                 continue;
             }
             const Body& body = description.bodies[use.outline];
-            for (const auto& name : patchesOf(body, use.edge)) addFaces(patchNamed(draft.mesh, name), boundary.ofPiece[p], use.forward);
+            for (const auto& name : patchesOf(body, use.edge))
+                addFaces(patchNamed(draft.mesh, name), boundary.ofPiece[p], use.forward);
         }
     }
     for (const auto& body : description.bodies)
-        for (const auto& [name, edges] : body.patches) patchNamed(draft.mesh, name);  // without a face: the report says so
+        for (const auto& [name, edges] : body.patches)
+            patchNamed(draft.mesh, name);  // without a face: the report says so
 }
 
 /// The outlines, cut where they touch, and their nodes.
@@ -112,11 +113,9 @@ MeshResult buildMesh(const MeshDescription& description) {
     draft.h = boundary.h;
     draft.v.assign(draft.x.size(), Vec<2>::Zero());
     result.bodies.resize(nBodies);
-    for (const auto type :
-         {BodyType::fluid, BodyType::solid})  // solids last: theirs is the interface's velocity
+    for (const auto type : {BodyType::fluid, BodyType::solid})  // solids last: theirs is the interface's velocity
         for (int b = 0; b < nBodies; ++b)
-            if (description.bodies[b].type == type)
-                result.bodies[b] = addBody(draft, description, b, regions[b], size);
+            if (description.bodies[b].type == type) result.bodies[b] = addBody(draft, description, b, regions[b], size);
     addPatches(draft, description, arrangement, boundary);
     result.state = finishMesh(std::move(draft), description, result.bodies);
     return result;

@@ -36,8 +36,7 @@ private:
     void format() {
         const std::string format = bytes_.line(), version = format.substr(0, 3);
         new_ = version == "4.1";
-        if (!new_ && version != "2.2")
-            bytes_.fail(fmt::format("its format is {}: save it as 2.2 or 4.1", version));
+        if (!new_ && version != "2.2") bytes_.fail(fmt::format("its format is {}: save it as 2.2 or 4.1", version));
         if (format.substr(3, 4) != " 1 8")
             bytes_.fail("its numbers have not 8 bytes: save it as text (Mesh.Binary = 0)");
         if (bytes_.take<std::int32_t>() != 1)
@@ -48,8 +47,7 @@ private:
 
     void section(const std::string& head) {
         if (head.empty()) return;
-        if (head[0] != '$')
-            bytes_.fail(fmt::format("a section like $Nodes expected before byte {}", bytes_.at()));
+        if (head[0] != '$') bytes_.fail(fmt::format("a section like $Nodes expected before byte {}", bytes_.at()));
         const std::string name = head.substr(1), end = "$End" + name;
         put("{}\n", head);
         if (name == "MeshFormat")
@@ -188,8 +186,7 @@ private:
     std::size_t nodes(int type) const {
         const auto found = nodesOf.find(type);
         if (found == nodesOf.end())
-            bytes_.fail(
-                fmt::format("Gmsh's element type {}: only lines (1) and triangles (2) are possible", type));
+            bytes_.fail(fmt::format("Gmsh's element type {}: only lines (1) and triangles (2) are possible", type));
         return found->second;
     }
 

@@ -31,9 +31,7 @@ public:
     }
     /// How many things follow; each of them has a byte or more, so that damage cannot ask for endless memory.
     std::size_t takeCount() { return checked(take<std::uint64_t>()); }
-    std::size_t countIn(const std::string& word) const {
-        return checked(std::strtoull(word.c_str(), nullptr, 10));
-    }
+    std::size_t countIn(const std::string& word) const { return checked(std::strtoull(word.c_str(), nullptr, 10)); }
 
     /// The rest of the line; steps over its end.
     std::string line() {
@@ -62,8 +60,7 @@ public:
 
 private:
     std::size_t checked(std::uint64_t count) const {
-        if (count > content_.size() - at_)
-            fail(fmt::format("{} is no number of things, before byte {}", count, at_));
+        if (count > content_.size() - at_) fail(fmt::format("{} is no number of things, before byte {}", count, at_));
         return count;
     }
     std::string until(std::size_t end) {

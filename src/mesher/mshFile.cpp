@@ -32,7 +32,8 @@ public:
         new_ ? readElements4() : readElements2();
         if (!inGroup_)
             mesh_.remark = new_ ? "No element of it is in a physical group."
-                                : "No element of it is in a physical group. (With Mesh.SaveAll = 1 Gmsh leaves them out of format 2.2: save "
+                                : "No element of it is in a physical group. (With Mesh.SaveAll = 1 Gmsh leaves them "
+                                  "out of format 2.2: save "
                                   "without it, or in format 4.1.)";
         return std::move(mesh_);
     }
@@ -40,18 +41,21 @@ public:
 private:
     /// One of these would contradict another one of its name; all others may come as often as they like.
     static bool isSingle(const std::string& section) {
-        static const std::vector<std::string> names = {"MeshFormat", "PhysicalNames", "Entities", "PartitionedEntities", "Nodes", "Elements"};
+        static const std::vector<std::string> names = {"MeshFormat",          "PhysicalNames", "Entities",
+                                                       "PartitionedEntities", "Nodes",         "Elements"};
         return std::find(names.begin(), names.end(), section) != names.end();
     }
 
     void findSections() {
         while (lines_.next()) {
-            if (lines_.word(0).front() != '$') lines_.fail(fmt::format("a section like $Nodes expected, '{}' found", lines_.word(0)));
+            if (lines_.word(0).front() != '$')
+                lines_.fail(fmt::format("a section like $Nodes expected, '{}' found", lines_.word(0)));
             const std::string name(lines_.word(0).substr(1));
             if (name == "NOD") lines_.fail("its format is that of Gmsh's version 1: save it as 2.2 or 4.1");
             // 2.2 with places on the geometry behind each node's coordinates
             const std::string section = name == "ParametricNodes" ? "Nodes" : name;
-            if (isSingle(section) && !sections_.emplace(section, lines_.place()).second) lines_.fail("a second $" + name);
+            if (isSingle(section) && !sections_.emplace(section, lines_.place()).second)
+                lines_.fail("a second $" + name);
             skipTo("$End" + name);
         }
         end_ = lines_.place();
@@ -85,7 +89,8 @@ private:
     void addNode(long tag, std::size_t first) {
         const double z = std::abs(lines_.real(first + 2));
         if (z > highest_.z) highest_ = {z, lines_.number()};
-        if (!index_.emplace(tag, static_cast<int>(mesh_.x.size())).second) lines_.fail(fmt::format("a second node {}", tag));
+        if (!index_.emplace(tag, static_cast<int>(mesh_.x.size())).second)
+            lines_.fail(fmt::format("a second node {}", tag));
         mesh_.x.push_back({lines_.real(first), lines_.real(first + 1)});
     }
 
@@ -130,7 +135,8 @@ private:
             const long tags = lines_.count(2);
             lines_.need(3 + static_cast<std::size_t>(tags));
             const long physical = tags > 0 ? lines_.whole(3) : 0, entity = tags > 1 ? lines_.whole(4) : 0;
-            addElement(lines_.whole(1), 3 + static_cast<std::size_t>(tags), entity, physical == 0 ? std::vector<long>{} : std::vector<long>{physical});
+            addElement(lines_.whole(1), 3 + static_cast<std::size_t>(tags), entity,
+                       physical == 0 ? std::vector<long>{} : std::vector<long>{physical});
         }
     }
 
@@ -153,10 +159,14 @@ private:
         if (type == 15) return;  // a point
         if (type == 8 || type == 9) lines_.fail("elements of second order: mesh with order 1");
         if (type == 3) lines_.fail("a quadrangle: mesh with triangles");
-        if (type != 1 && type != 2) lines_.fail(fmt::format("Gmsh's element type {}: only lines (1) and triangles (2) are possible", type));
+        if (type != 1 && type != 2)
+            lines_.fail(fmt::format("Gmsh's element type {}: only lines (1) and triangles (2) are possible", type));
         lines_.need(first + (type == 1 ? 2 : 3));
         const int dimension = static_cast<int>(type);
-        if (groups.empty()) add(type, first, entity == 0 ? -1 : groupNamed(dimension, fmt::format("{} {}", type == 1 ? "curve" : "surface", entity)));
+        if (groups.empty())
+            add(type, first,
+                entity == 0 ? -1
+                            : groupNamed(dimension, fmt::format("{} {}", type == 1 ? "curve" : "surface", entity)));
         for (const long tag : groups) add(type, first, groupNamed(dimension, groups_.name(dimension, tag)));
         inGroup_ = inGroup_ || !groups.empty();
     }

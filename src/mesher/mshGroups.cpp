@@ -62,8 +62,10 @@ void MshGroups::readPartitionedEntities(MshLines& lines) {
             const long parentDimension = lines.whole(1), parent = lines.whole(2);
             const std::size_t nParts = list(lines, 3).size();
             auto groups = withoutSigns(list(lines, 4 + nParts + wordsOfPlace(dimension)));
-            if (parentDimension != dimension) groups.clear();  // a cut between parts: the groups are those of what it cuts
-            else if (groups.empty()) groups = of(dimension, parent);
+            if (parentDimension != dimension)
+                groups.clear();  // a cut between parts: the groups are those of what it cuts
+            else if (groups.empty())
+                groups = of(dimension, parent);
             ofEntity_[{dimension, lines.whole(0)}] = groups;
         }
 }

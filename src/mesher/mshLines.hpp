@@ -45,7 +45,8 @@ public:
     void demand(const std::string& section, std::size_t least) {
         if (!next()) fail("the file ends within $" + section);
         if (words_.front().front() == '$') fail(fmt::format("$End{} comes before all of its lines", section));
-        if (words_.size() < least) fail(fmt::format("${}: {} numbers expected, {} found", section, least, words_.size()));
+        if (words_.size() < least)
+            fail(fmt::format("${}: {} numbers expected, {} found", section, least, words_.size()));
     }
 
     std::string_view word(std::size_t i) const { return words_[i]; }

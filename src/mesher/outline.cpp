@@ -74,8 +74,8 @@ Curve edgeCurve(const Outline& outline, int edge) {
         const bool reverse = n > 2 && arc.from == to && arc.to == from;
         if (!same && !reverse) continue;
         if (const auto curve = Curve::arc(a, arc.through, b)) return *curve;
-        throw UserError(fmt::format("arc {} {} ({:g} {:g}) of '{}': the three points lie on one line",
-                                    arc.from, arc.to, arc.through.x(), arc.through.y(), outline.name),
+        throw UserError(fmt::format("arc {} {} ({:g} {:g}) of '{}': the three points lie on one line", arc.from, arc.to,
+                                    arc.through.x(), arc.through.y(), outline.name),
                         outline.at("edges"));
     }
     return Curve::line(a, b);

@@ -9,7 +9,8 @@ namespace pfem {
 /// The curve of edge `edge` of `outline`. Throws UserError for an arc through three points of one line.
 Curve edgeCurve(const Outline& outline, int edge);
 
-/// "body 'water'" or "wall 'tank'"; what its points are called: "vertices" or "points", also the keyword of the dictionary.
+/// "body 'water'" or "wall 'tank'"; what its points are called: "vertices" or "points", also the keyword of the
+/// dictionary.
 std::string titleOf(const MeshDescription& mesh, int outline);
 std::string pointsWord(const MeshDescription& mesh, int outline);
 

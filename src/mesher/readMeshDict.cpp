@@ -95,8 +95,7 @@ Body readBody(const Dictionary& dict, const std::vector<std::string>& materials)
     readNature(dict, materials, body);
     const std::vector<std::string> patterns = {"unstructured", "checkerboard", "oneWay", "crossed"};
     const auto pattern = dict.choice("pattern", patterns, "unstructured");
-    body.pattern =
-        static_cast<Pattern>(std::find(patterns.begin(), patterns.end(), pattern) - patterns.begin());
+    body.pattern = static_cast<Pattern>(std::find(patterns.begin(), patterns.end(), pattern) - patterns.begin());
     if (body.pattern != Pattern::unstructured && dict.found("cells")) {
         const auto cells = dict.get<std::vector<int>>("cells");
         if (cells.size() != 2 || cells[0] < 1 || cells[1] < 1)
@@ -108,8 +107,7 @@ Body readBody(const Dictionary& dict, const std::vector<std::string>& materials)
     for (const auto& name : patches.keys()) {
         const Dictionary patch = patches.subDict(name);
         for (const auto& pair : patch.get<std::vector<std::vector<int>>>("edges")) {
-            if (pair.size() != 2)
-                patch.fatal("edges", "An edge is named by its two vertices: edges ((3 0));");
+            if (pair.size() != 2) patch.fatal("edges", "An edge is named by its two vertices: edges ((3 0));");
             body.patches[name].push_back({pair[0], pair[1]});
         }
     }
@@ -139,8 +137,7 @@ Body readFileBody(const Dictionary& dict, const std::vector<std::string>& materi
     readNature(dict, materials, body);
     if (dict.found("vertices")) dict.fatal("vertices", "A body of a mesh file has no vertices but a group");
     const Dictionary patches = dict.subDictOrEmpty("patches");
-    for (const auto& name : patches.keys())
-        body.edgeGroups[name] = readGroupName(patches.subDict(name), name);
+    for (const auto& name : patches.keys()) body.edgeGroups[name] = readGroupName(patches.subDict(name), name);
     return body;
 }
 
@@ -173,7 +170,8 @@ Refinement readRefinement(const Dictionary& dict) {
         refinement.points.push_back(toPoint(dict, "points", c));
     if (refinement.points.size() < 2) dict.fatal("points", "A curve needs two points at least");
     for (std::size_t i = 0; i + 1 < refinement.points.size(); ++i)
-        if (refinement.points[i] == refinement.points[i + 1]) dict.fatal("points", "The curve has the same point twice");
+        if (refinement.points[i] == refinement.points[i + 1])
+            dict.fatal("points", "The curve has the same point twice");
     refinement.distance = dict.get("distance", 0.0);
     if (!(refinement.distance >= 0)) dict.fatal("distance", "distance must not be negative");
     return refinement;
@@ -181,8 +179,7 @@ Refinement readRefinement(const Dictionary& dict) {
 
 }  // namespace
 
-MeshDescription readMeshDict(const Dictionary& dict, const std::vector<std::string>& materials,
-                             double meshSize) {
+MeshDescription readMeshDict(const Dictionary& dict, const std::vector<std::string>& materials, double meshSize) {
     MeshDescription mesh;
     const bool fromFile = dict.found("meshFile");
     if (fromFile) readMeshFileEntries(dict, meshSize, mesh);
@@ -192,7 +189,8 @@ MeshDescription readMeshDict(const Dictionary& dict, const std::vector<std::stri
         mesh.bodies.push_back(fromFile ? readFileBody(body, materials) : readBody(body, materials));
     if (mesh.bodies.empty()) dict.fatal("bodies", "There is no body to mesh");
     if (!fromFile && dict.found("refinements"))
-        for (const auto& refinement : dict.dictList("refinements")) mesh.refinements.push_back(readRefinement(refinement));
+        for (const auto& refinement : dict.dictList("refinements"))
+            mesh.refinements.push_back(readRefinement(refinement));
     if (!dict.found("walls")) return mesh;
     for (const auto& wallDict : dict.dictList("walls")) {
         Wall wall;

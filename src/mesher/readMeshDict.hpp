@@ -9,7 +9,6 @@ namespace pfem {
 /// Read and check the words. `materials`: the names in constant/materials.
 /// `meshSize` > 0 replaces the dictionary's default one.
 /// Throws UserError with file and line.
-MeshDescription readMeshDict(const Dictionary& dict, const std::vector<std::string>& materials,
-                             double meshSize = 0);
+MeshDescription readMeshDict(const Dictionary& dict, const std::vector<std::string>& materials, double meshSize = 0);
 
 }  // namespace pfem

@@ -47,7 +47,8 @@ struct LoopEdge {
 };
 
 /// The edges of a body's outline or, backwards, of a hole's, in their order.
-std::vector<LoopEdge> loopOf(int outline, bool backward, const Arrangement& arrangement, const BoundaryNodes& boundary) {
+std::vector<LoopEdge> loopOf(int outline, bool backward, const Arrangement& arrangement,
+                             const BoundaryNodes& boundary) {
     std::vector<LoopEdge> loop;
     for (const auto& ref : arrangement.chains[outline]) {
         std::vector<int> chain = boundary.ofPiece[ref.piece];
@@ -62,19 +63,22 @@ std::vector<LoopEdge> loopOf(int outline, bool backward, const Arrangement& arra
 }
 
 /// Those of a body's edges that bound it.
-std::vector<LoopEdge> boundaryOf(const MeshDescription& mesh, int body, const Arrangement& arrangement, const BoundaryNodes& boundary) {
+std::vector<LoopEdge> boundaryOf(const MeshDescription& mesh, int body, const Arrangement& arrangement,
+                                 const BoundaryNodes& boundary) {
     std::vector<LoopEdge> edges;
     const auto add = [&](const std::vector<LoopEdge>& loop, bool rim) {
         for (const auto& edge : loop)
             if (arrangement.bounds(edge.piece, body, rim)) edges.push_back(edge);
     };
     add(loopOf(body, false, arrangement, boundary), false);
-    for (const auto& name : mesh.bodies[body].holes) add(loopOf(bodyIndex(mesh, name), true, arrangement, boundary), true);
+    for (const auto& name : mesh.bodies[body].holes)
+        add(loopOf(bodyIndex(mesh, name), true, arrangement, boundary), true);
     return edges;
 }
 
 /// Points and edges of the region; each point once.
-void addEdges(Region& region, const std::vector<LoopEdge>& edges, const Arrangement& arrangement, const BoundaryNodes& boundary) {
+void addEdges(Region& region, const std::vector<LoopEdge>& edges, const Arrangement& arrangement,
+              const BoundaryNodes& boundary) {
     std::map<int, int> local;  // of the boundary's nodes
     for (const auto& edge : edges) {
         const int node = edge.nodes[0];
@@ -86,7 +90,8 @@ void addEdges(Region& region, const std::vector<LoopEdge>& edges, const Arrangem
     for (const auto& edge : edges) {
         region.edges.push_back({local.at(edge.nodes[0]), local.at(edge.nodes[1])});
         const auto& uses = arrangement.pieces[edge.piece].uses;
-        region.onWall.push_back(std::any_of(uses.begin(), uses.end(), [&](const auto& use) { return arrangement.isWall(use); }));
+        region.onWall.push_back(
+            std::any_of(uses.begin(), uses.end(), [&](const auto& use) { return arrangement.isWall(use); }));
     }
 }
 
@@ -98,8 +103,7 @@ Region outlineRegion(int body, const Arrangement& arrangement, const BoundaryNod
     return region;
 }
 
-Region regionOf(const MeshDescription& mesh, int body, const Arrangement& arrangement,
-                const BoundaryNodes& boundary) {
+Region regionOf(const MeshDescription& mesh, int body, const Arrangement& arrangement, const BoundaryNodes& boundary) {
     const Body& description = mesh.bodies[body];
     Region region;
     region.fluid = description.type == BodyType::fluid;

@@ -39,8 +39,7 @@ struct Region {
 Region outlineRegion(int body, const Arrangement& arrangement, const BoundaryNodes& boundary);
 
 /// Where a hole touches the outline or another one, a boundary point may have more than two edges.
-Region regionOf(const MeshDescription& mesh, int body, const Arrangement& arrangement,
-                const BoundaryNodes& boundary);
+Region regionOf(const MeshDescription& mesh, int body, const Arrangement& arrangement, const BoundaryNodes& boundary);
 
 /// Fill the region with nearly equilateral triangles; adds its inner points.
 std::vector<Simplex<2>> fillUnstructured(Region& region, const SizeField& size);

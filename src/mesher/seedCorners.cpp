@@ -25,7 +25,8 @@ void seedCorners(Region& region) {
             const double angle = std::atan2(out.x() * in.y() - out.y() * in.x(), out.dot(in));
             return angle > 0 ? angle : angle + 360 * degree;
         };
-        const int previous = *std::min_element(into[i].begin(), into[i].end(), [&](int e, int f) { return angleTo(e) < angleTo(f); });
+        const int previous =
+            *std::min_element(into[i].begin(), into[i].end(), [&](int e, int f) { return angleTo(e) < angleTo(f); });
         const Vec<2> in = region.x[region.edges[previous][0]] - region.x[i];
         const double angle = angleTo(previous);
         if (angle > (150 + 1e-9) * degree) continue;  // reflex, or wide enough

@@ -63,13 +63,11 @@ void seedAt(Region& region, const SizeField& size, double clearance) {
     BinGrid boundary(region.h), points(region.h);
     for (int e = 0; e < static_cast<int>(region.edges.size()); ++e)
         boundary.addSegment(e, region.x[region.edges[e][0]], region.x[region.edges[e][1]]);
-    for (int i = region.nBoundary; i < static_cast<int>(region.x.size()); ++i)
-        points.add(i, region.x[i], region.x[i]);
+    for (int i = region.nBoundary; i < static_cast<int>(region.x.size()); ++i) points.add(i, region.x[i], region.x[i]);
 
     const bool graded = size.graded(region.h);
     const double ratio = 1.25;
-    const int levels =
-        graded ? countAbove(std::log(region.h / size.smallest()) / std::log(ratio)) : 0;
+    const int levels = graded ? countAbove(std::log(region.h / size.smallest()) / std::log(ratio)) : 0;
     for (int level = levels; level >= 0; --level) {
         const double h = region.h / std::pow(ratio, level);
         forLattice(region, h / region.h, [&](const Vec<2>& x) {
@@ -78,8 +76,8 @@ void seedAt(Region& region, const SizeField& size, double clearance) {
             const double least = s * (1 - lengthRoundOff);  // points of the lattice are often just as far
             bool free = true;
             boundary.forEachNear(x, clearance * s, [&](int e) {
-                free = free && segmentDistance(x, region.x[region.edges[e][0]],
-                                               region.x[region.edges[e][1]]) >= clearance * least;
+                free = free && segmentDistance(x, region.x[region.edges[e][0]], region.x[region.edges[e][1]]) >=
+                                   clearance * least;
             });
             if (!free) return;
             points.forEachNear(x, spacing * s,

@@ -69,8 +69,8 @@ private:
         return sidesOf(piece, p.b == vertex) == sidesOf(other, q.a == vertex) ? other : -1;
     }
 
-    /// The whole line that `piece` is part of. A closed one begins where no vertex can be left out or, dense all around,
-    /// at its lowest vertex on the left, whichever is written first.
+    /// The whole line that `piece` is part of. A closed one begins where no vertex can be left out or, dense all
+    /// around, at its lowest vertex on the left, whichever is written first.
     Line lineOf(int piece) const {
         Line line{{old_.pieces[piece].a, old_.pieces[piece].b}, {piece}};
         const auto extend = [&] {
@@ -99,7 +99,8 @@ private:
                 const Vec<2>&x = old_.vertices[v], &y = old_.vertices[w];
                 return std::make_pair(x.x(), x.y()) < std::make_pair(y.x(), y.y());
             };
-            start = static_cast<std::size_t>(std::min_element(line.vertices.begin(), line.vertices.end(), before) - line.vertices.begin());
+            start = static_cast<std::size_t>(std::min_element(line.vertices.begin(), line.vertices.end(), before) -
+                                             line.vertices.begin());
         }
         start %= line.vertices.size();
         std::rotate(line.vertices.begin(), line.vertices.begin() + static_cast<long>(start), line.vertices.end());
@@ -148,9 +149,11 @@ private:
         std::vector<PieceRef> refs;
         for (const auto& ref : chain) {
             const PieceRef now{replaced_[ref.piece].piece, ref.forward == replaced_[ref.piece].forward};
-            if (refs.empty() || refs.back().piece != now.piece || refs.back().forward != now.forward) refs.push_back(now);
+            if (refs.empty() || refs.back().piece != now.piece || refs.back().forward != now.forward)
+                refs.push_back(now);
         }
-        if (refs.size() > 1 && refs.back().piece == refs.front().piece && refs.back().forward == refs.front().forward) refs.pop_back();
+        if (refs.size() > 1 && refs.back().piece == refs.front().piece && refs.back().forward == refs.front().forward)
+            refs.pop_back();
         return refs;
     }
 

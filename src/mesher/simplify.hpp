@@ -5,8 +5,8 @@
 
 namespace pfem {
 
-/// The arrangement without the vertices that `thinOut` leaves out. Vertices stay where outlines part or meet, at the ends of
-/// walls and patches, and on arcs and structured patterns.
+/// The arrangement without the vertices that `thinOut` leaves out. Vertices stay where outlines part or meet, at the
+/// ends of walls and patches, and on arcs and structured patterns.
 struct Simplified {
     Arrangement arrangement;
     std::vector<int> leftOut;  // per outline: how many vertices, with tips of spikes

@@ -17,8 +17,7 @@ SizeField::SizeField(const MeshDescription& mesh, const Arrangement& arrangement
         double h = std::numeric_limits<double>::max();
         for (const auto& use : piece.uses) {
             const bool wall = use.outline >= arrangement.nBodies;
-            const double own =
-                wall ? mesh.walls[use.outline - arrangement.nBodies].meshSize : bodySize_[use.outline];
+            const double own = wall ? mesh.walls[use.outline - arrangement.nBodies].meshSize : bodySize_[use.outline];
             if (own > 0) h = std::min(h, own);
         }
         if (h == std::numeric_limits<double>::max()) h = fallback;
@@ -35,8 +34,7 @@ SizeField::SizeField(const MeshDescription& mesh, const Arrangement& arrangement
         const int n = std::max(1, countAbove(curve.length() / h));
         for (int k = 0; k <= n; ++k) sources_.push_back({curve.point(double(k) / n), h});
     }
-    std::stable_sort(sources_.begin(), sources_.end(),
-                     [](const Source& a, const Source& b) { return a.h < b.h; });
+    std::stable_sort(sources_.begin(), sources_.end(), [](const Source& a, const Source& b) { return a.h < b.h; });
 }
 
 double SizeField::at(const Vec<2>& x, double cap) const {
@@ -105,8 +103,7 @@ BoundaryNodes divideBoundary(const Arrangement& arrangement, const SizeField& si
             }
         }
         chain.push_back(piece.b);
-        for (const int end : {piece.a, piece.b})
-            nodes.h[end] = std::min(nodes.h[end], size.at(nodes.x[end], h));
+        for (const int end : {piece.a, piece.b}) nodes.h[end] = std::min(nodes.h[end], size.at(nodes.x[end], h));
         nodes.ofPiece.push_back(std::move(chain));
     }
     return nodes;

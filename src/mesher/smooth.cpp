@@ -7,9 +7,7 @@ namespace {
 
 constexpr int sweeps = 30;
 
-double cross(const Vec<2>& a, const Vec<2>& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
+double cross(const Vec<2>& a, const Vec<2>& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Centre of the circle through the triangle's corners.
 Vec<2> circumcentre(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c) {

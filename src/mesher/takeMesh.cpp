@@ -32,11 +32,13 @@ public:
             for (std::size_t b = 0; b < description_.bodies.size(); ++b)
                 if (description_.bodies[b].type == type) result.bodies[b] = addBody(description_.bodies[b]);
         checkTouching(draft_, sides_, meanSize());
-        for (std::size_t b = 0; b < description_.bodies.size(); ++b) addPatches(description_.bodies[b], result.bodies[b]);
+        for (std::size_t b = 0; b < description_.bodies.size(); ++b)
+            addPatches(description_.bodies[b], result.bodies[b]);
         for (const auto& wall : description_.walls) addWall(wall);
         if (const auto left = std::count_if(file_.triangles.begin(), file_.triangles.end(),
                                             [&](const auto& t) { return t.group < 0 || !used_[t.group]; }))
-            result.warnings.push_back(fmt::format("{} triangles of {} belong to no body and are left out", left, file_.file));
+            result.warnings.push_back(
+                fmt::format("{} triangles of {} belong to no body and are left out", left, file_.file));
         result.state = finishMesh(std::move(draft_), description_, result.bodies);
         return result;
     }
@@ -50,10 +52,10 @@ private:
     int groupOf(int dimension, const std::string& name, const Location& where) const {
         const int group = file_.groupNamed(dimension, name);
         if (group < 0)
-            throw UserError(notValid(name, dimension == 2 ? "group of triangles" : "group of edges",
-                                     file_.groupNames(dimension)) + "\nThey are those of " + file_.file +
-                                (file_.remark.empty() ? "" : "\n" + file_.remark),
-                            where);
+            throw UserError(
+                notValid(name, dimension == 2 ? "group of triangles" : "group of edges", file_.groupNames(dimension)) +
+                    "\nThey are those of " + file_.file + (file_.remark.empty() ? "" : "\n" + file_.remark),
+                where);
         return group;
     }
 
@@ -72,8 +74,10 @@ private:
         for (std::size_t i = 0; i < order.size(); ++i) order[i] = joined_[i] = static_cast<int>(i);
         std::sort(order.begin(), order.end(), [&](int a, int b) { return points_[a].x() < points_[b].x(); });
         for (std::size_t i = 0; i < order.size(); ++i)
-            for (std::size_t j = i + 1; j < order.size() && points_[order[j]].x() - points_[order[i]].x() <= tolerance_; ++j)
-                if (joined_[order[j]] == order[j] && std::abs(points_[order[j]].y() - points_[order[i]].y()) <= tolerance_)
+            for (std::size_t j = i + 1; j < order.size() && points_[order[j]].x() - points_[order[i]].x() <= tolerance_;
+                 ++j)
+                if (joined_[order[j]] == order[j] &&
+                    std::abs(points_[order[j]].y() - points_[order[i]].y()) <= tolerance_)
                     joined_[order[j]] = joined_[order[i]];
         used_.assign(file_.groups.size(), false);
     }
@@ -156,7 +160,8 @@ private:
         for (const auto& [name, groupName] : body.edgeGroups) {
             for (const auto& wall : description_.walls)
                 if (wall.name == name)
-                    throw UserError(fmt::format("patch '{}' of body '{}' has the name of a wall", name, body.name), body.at("patches"));
+                    throw UserError(fmt::format("patch '{}' of body '{}' has the name of a wall", name, body.name),
+                                    body.at("patches"));
             const int group = groupOf(1, groupName, body.at("patches"));
             std::set<Face<2>> known;  // an edge of two entities may come twice
             for (const auto& e : file_.edges) {
@@ -192,7 +197,8 @@ private:
         try {
             patch.faces = orientWall(edges, sides_);
         } catch (const WallBetween& error) {
-            fail(error.line, "the edge at " + fmt::format("({:g} {:g})", draft_.x[error.node].x(), draft_.x[error.node].y()) +
+            fail(error.line, "the edge at " +
+                                 fmt::format("({:g} {:g})", draft_.x[error.node].x(), draft_.x[error.node].y()) +
                                  " of wall '" + wall.name + "' has bodies on both of its sides");
         }
     }

@@ -11,7 +11,8 @@ namespace {
 
 /// Keep, between the points `from` and `to`, the farthest one from the straight line, and so on with both halves,
 /// until all are within their tolerance.
-void keepFarthest(const Points<2>& x, const std::vector<double>& tolerance, std::size_t from, std::size_t to, std::vector<bool>& kept) {
+void keepFarthest(const Points<2>& x, const std::vector<double>& tolerance, std::size_t from, std::size_t to,
+                  std::vector<bool>& kept) {
     std::vector<std::pair<std::size_t, std::size_t>> parts = {{from, to}};
     while (!parts.empty()) {
         const auto [a, b] = parts.back();
@@ -31,7 +32,8 @@ void keepFarthest(const Points<2>& x, const std::vector<double>& tolerance, std:
 }
 
 /// Between two kept points of a curve keep others, one per mesh size.
-void keepEvenly(const Points<2>& x, const std::vector<double>& h, std::size_t from, std::size_t to, std::vector<bool>& kept) {
+void keepEvenly(const Points<2>& x, const std::vector<double>& h, std::size_t from, std::size_t to,
+                std::vector<bool>& kept) {
     std::vector<double> s = {0};  // edges of the mesh from the first point on
     for (std::size_t k = from; k < to; ++k) s.push_back(s.back() + (x[k + 1] - x[k]).norm() / std::min(h[k], h[k + 1]));
     const double n = std::round(s.back());

@@ -19,7 +19,9 @@ struct WallWalker {
             if (!previous.emplace(b, a).second) meeting.insert(b);
         }
     }
-    bool isBetween(int node) const { return next.count(node) > 0 && previous.count(node) > 0 && meeting.count(node) == 0; }
+    bool isBetween(int node) const {
+        return next.count(node) > 0 && previous.count(node) > 0 && meeting.count(node) == 0;
+    }
 };
 
 bool isStraight(const Points<2>& x, int a, int b, int c) {

@@ -20,8 +20,7 @@ struct NormalCollector {
     explicit NormalCollector(std::size_t n) : sum(n, Vec<Dim>::Zero()), corner(n, 0) {}
 
     void add(int node, const Vec<Dim>& n) {
-        if (sum[node].squaredNorm() > 0 && sum[node].normalized().dot(n) < std::cos(20 * M_PI / 180))
-            corner[node] = 1;
+        if (sum[node].squaredNorm() > 0 && sum[node].normalized().dot(n) < std::cos(20 * M_PI / 180)) corner[node] = 1;
         sum[node] += n;
     }
     bool isCorner(int node) const { return corner[node] != 0; }
@@ -45,10 +44,12 @@ void demandEntries(const Dictionary& dict, const std::vector<std::string>& names
     for (const auto& name : names)
         if (!dict.found(name)) missing.push_back("'" + name + "'");
     if (missing.empty()) return;
-    throw UserError(fmt::format("No entry for {} of the mesh: each wall and each named patch needs one, of its name or of a pattern "
-                                "such as \"wall.*\"",
-                                fmt::join(missing, ", ")),
-                    dict.where());
+    throw UserError(
+        fmt::format(
+            "No entry for {} of the mesh: each wall and each named patch needs one, of its name or of a pattern "
+            "such as \"wall.*\"",
+            fmt::join(missing, ", ")),
+        dict.where());
 }
 
 }  // namespace
@@ -60,7 +61,8 @@ BoundaryConditions<Dim> readBoundaryConditions(const Dictionary& dict, const std
     std::vector<std::string> names;
     for (const auto& patch : patches) names.push_back(patch.name);
     for (const auto& key : dict.keys()) {
-        if (key == "FoamFile" || !dict.isDict(key) || std::find(names.begin(), names.end(), key) != names.end()) continue;
+        if (key == "FoamFile" || !dict.isDict(key) || std::find(names.begin(), names.end(), key) != names.end())
+            continue;
         const Dictionary& entry = dict.subDict(key);
         if (Dim != 2 || !entry.found("type") || entry.get<std::string>("type") != "sideWalls")
             dict.fatal(key, notValid(key, "patch", names));
@@ -76,7 +78,8 @@ BoundaryConditions<Dim> readBoundaryConditions(const Dictionary& dict, const std
         result.motion.push_back(nullptr);
         if (entry.found("motion")) {
             if (type == "symmetry" || type == "traction")
-                entry.fatal("motion", "'" + patch.name + "' cannot be moved: only slip, noSlip and clamped patches can");
+                entry.fatal("motion",
+                            "'" + patch.name + "' cannot be moved: only slip, noSlip and clamped patches can");
             result.motion.back() = std::make_shared<WallMotion>(entry.subDict("motion"), Dim == 2);
         }
         result.friction.push_back(entry.get<double>("friction", 0));
@@ -89,7 +92,8 @@ BoundaryConditions<Dim> readBoundaryConditions(const Dictionary& dict, const std
         if (type == "symmetry") result.kind.push_back(PatchKind::symmetry);
         if (type == "traction") {
             result.kind.push_back(PatchKind::traction);
-            const auto overTime = Dim == 2 ? readPlaneFunction1(entry, "traction") : readFunction1<Eigen::Vector3d>(entry, "traction");
+            const auto overTime =
+                Dim == 2 ? readPlaneFunction1(entry, "traction") : readFunction1<Eigen::Vector3d>(entry, "traction");
             result.traction.back() = overTime->value(0).template head<Dim>();
             const bool constant = !entry.isDict("traction") && entry.reader("traction").opens();
             if (!constant) result.tractionOverTime.back() = overTime;
@@ -142,10 +146,10 @@ NodeConstraints<Dim> nodeConstraints(const Mesh<Dim>& mesh, const BoundaryCondit
     return c;
 }
 
-#define PFEM_INSTANTIATE(D)                                                                                    \
-    template BoundaryConditions<D> readBoundaryConditions<D>(const Dictionary&, const std::vector<Patch<D>>&); \
-    template NodeConstraints<D> nodeConstraints<D>(const Mesh<D>&, const BoundaryConditions<D>&,               \
-                                                   const Topology<D>&, const Nodes<D>&, double, double);
+#define PFEM_INSTANTIATE(D)                                                                                          \
+    template BoundaryConditions<D> readBoundaryConditions<D>(const Dictionary&, const std::vector<Patch<D>>&);       \
+    template NodeConstraints<D> nodeConstraints<D>(const Mesh<D>&, const BoundaryConditions<D>&, const Topology<D>&, \
+                                                   const Nodes<D>&, double, double);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

@@ -17,7 +17,7 @@ struct BoundaryConditions {
     std::vector<PatchKind> kind;
     std::vector<Vec<Dim>> traction;  // [Pa]; traction patches only, at the time in question
     std::vector<Function1Ptr<Eigen::Vector3d>> tractionOverTime;  // null: it stays as it is
-    std::vector<std::shared_ptr<const WallMotion>> motion;  // null: at rest; walls and clamped patches only
+    std::vector<std::shared_ptr<const WallMotion>> motion;        // null: at rest; walls and clamped patches only
 
     std::vector<double> friction;  // c_f of slip walls [-], see momentum/wallFriction.hpp
     double sideFriction = 0;       // (2D) c_f over the distance of the two walls in front and behind [1/m]
@@ -27,8 +27,8 @@ struct BoundaryConditions {
     }
 };
 
-/// Read the condition of every patch: of the entry with its name, else of the last pattern that matches it. Throws UserError
-/// for patches without entry, an entry without patch, and unknown types.
+/// Read the condition of every patch: of the entry with its name, else of the last pattern that matches it. Throws
+/// UserError for patches without entry, an entry without patch, and unknown types.
 template <int Dim>
 BoundaryConditions<Dim> readBoundaryConditions(const Dictionary& dict, const std::vector<Patch<Dim>>& patches);
 
@@ -42,9 +42,9 @@ enum class Hold : unsigned char {
 template <int Dim>
 struct NodeConstraints {
     std::vector<Hold> hold;
-    std::vector<Vec<Dim>> normal;          // of sliding nodes, at the end of the step
-    std::vector<int> mover;                // per node: the motion that it follows, -1: held at rest
-    std::vector<RigidStep<Dim>> motion;    // over the step
+    std::vector<Vec<Dim>> normal;        // of sliding nodes, at the end of the step
+    std::vector<int> mover;              // per node: the motion that it follows, -1: held at rest
+    std::vector<RigidStep<Dim>> motion;  // over the step
 
     /// The part of u that node i may perform.
     Vec<Dim> project(int i, const Vec<Dim>& u) const {

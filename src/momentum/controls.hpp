@@ -17,7 +17,8 @@ struct IntegrationControls {
     template <class Visitor>
     void entries(Visitor& v) {
         v("integration", integration, "-",
-          "where fluids and solids have their stress: nodal (in patches of nodes; solids rather too soft) or elemental (in "
+          "where fluids and solids have their stress: nodal (in patches of nodes; solids rather too soft) or elemental "
+          "(in "
           "triangles; solids rather too stiff)",
           oneOf({"nodal", "elemental"}));
     }
@@ -50,15 +51,18 @@ struct MomentumControls {
           "factor of the bulk term of the fluid in the momentum MATRIX (preconditioner only; the paper: 1)",
           nonNegative);
         v("bulkRule", bulkRule, "-",
-          "local: rho h^2/dt of each patch; matrixMeans: one value that makes the bulk term's mean diagonal that of the "
+          "local: rho h^2/dt of each patch; matrixMeans: one value that makes the bulk term's mean diagonal that of "
+          "the "
           "mass",
           oneOf({"local", "matrixMeans"}));
         v("viscousLimit", viscousLimit, "-",
-          "ratio of viscous forces to inertia (2 mu dt/(rho h^2)) that is left out of the momentum MATRIX; light nodes, a thousandth of "
+          "ratio of viscous forces to inertia (2 mu dt/(rho h^2)) that is left out of the momentum MATRIX; light "
+          "nodes, a thousandth of "
           "the mass, may have thirty times that and get the diagonal",
           nonNegative);
         v("waveDamping", waveDamping, "-",
-          "viscosity in units of rho h sqrt(g h) that acts on velocities of the fluid which alternate from node to node: damps waves of a few "
+          "viscosity in units of rho h sqrt(g h) that acts on velocities of the fluid which alternate from node to "
+          "node: damps waves of a few "
           "triangles' length and no longer ones; 0 = none",
           nonNegative);
         v("linearTolerance", linearTolerance, "-", "relative residual of the conjugate gradients", positive);
@@ -75,7 +79,8 @@ struct SolidControls {
     template <class Visitor>
     void entries(Visitor& v) {
         v("formulation", formulation, "-",
-          "velocity; velocityPressure: the pressure is a field of the nodes and only the rest of the stress is integrated as "
+          "velocity; velocityPressure: the pressure is a field of the nodes and only the rest of the stress is "
+          "integrated as "
           "`integration` says (elemental: no locking up to nu -> 0.5)",
           oneOf({"velocity", "velocityPressure"}));
         v("stressUpdate", stressUpdate, "-",

@@ -9,9 +9,8 @@ namespace pfem {
 
 template <int Dim>
 bool isNewtonian(const Problem<Dim>& problem) {
-    return std::all_of(problem.materials.begin(), problem.materials.end(), [](const Material& m) {
-        return m.kind != MaterialKind::fluid || m.fluid.isNewtonian();
-    });
+    return std::all_of(problem.materials.begin(), problem.materials.end(),
+                       [](const Material& m) { return m.kind != MaterialKind::fluid || m.fluid.isNewtonian(); });
 }
 
 template <int Dim>
@@ -75,8 +74,8 @@ std::vector<double> tangentViscosity(const FlowViscosity<Dim>& viscosity) {
 }
 
 template <int Dim>
-Points<Dim> zigzagForce(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches, double damping,
-                        const std::vector<double>& h, const Points<Dim>& v) {
+Points<Dim> zigzagForce(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
+                        double damping, const std::vector<double>& h, const Points<Dim>& v) {
     Points<Dim> force(patches.nNodes(), Vec<Dim>::Zero());
     const double g = problem.gravity.norm();
     if (damping == 0 || g == 0 || patches.nCells() == 0) return force;
@@ -93,7 +92,8 @@ Points<Dim> zigzagForce(const Problem<Dim>& problem, const Cells<Dim>& cells, co
     return force;
 }
 
-template Points<2> zigzagForce<2>(const Problem<2>&, const Cells<2>&, const Patches<2>&, double, const std::vector<double>&, const Points<2>&);
+template Points<2> zigzagForce<2>(const Problem<2>&, const Cells<2>&, const Patches<2>&, double,
+                                  const std::vector<double>&, const Points<2>&);
 template bool isNewtonian<2>(const Problem<2>&);
 template std::vector<double> tangentViscosity<2>(const FlowViscosity<2>&);
 template FlowViscosity<2> flowViscosity<2>(const Problem<2>&, const Cells<2>&, const Patches<2>&, const Points<2>&);

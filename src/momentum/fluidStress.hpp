@@ -13,9 +13,9 @@ bool isNewtonian(const Problem<Dim>& problem);
 /// The viscosity of every stress point and how it answers to the flow.
 template <int Dim>
 struct FlowViscosity {
-    std::vector<double> mu;          // [Pa s]; 0 outside the material
-    std::vector<Tensor<Dim>> rate;   // d' [1/s]; empty: no viscosity depends on the flow
-    std::vector<double> softening;   // (4/g) d mu/d g [Pa s3], g the shear rate
+    std::vector<double> mu;         // [Pa s]; 0 outside the material
+    std::vector<Tensor<Dim>> rate;  // d' [1/s]; empty: no viscosity depends on the flow
+    std::vector<double> softening;  // (4/g) d mu/d g [Pa s3], g the shear rate
 };
 
 /// In the flow v.
@@ -31,18 +31,20 @@ std::vector<double> tangentViscosity(const FlowViscosity<Dim>& viscosity);
 template <int Dim>
 Points<Dim> viscousForce(const Patches<Dim>& patches, const std::vector<double>& mu, const Points<Dim>& v);
 
-/// Element stress with the force of the change of that stress with dv, plus `bulk` * tr(d) I per stress point (empty: none): the operator
-/// of the momentum matrix (42)-(43). With a viscosity that depends on the flow: 2 mu dd' + softening (d' : dd') d'.
+/// Element stress with the force of the change of that stress with dv, plus `bulk` * tr(d) I per stress point (empty:
+/// none): the operator of the momentum matrix (42)-(43). With a viscosity that depends on the flow: 2 mu dd' +
+/// softening (d' : dd') d'.
 template <int Dim>
 std::vector<Tensor<Dim>> fluidTangentStress(const Patches<Dim>& patches, const FlowViscosity<Dim>& viscosity,
                                             const Points<Dim>& dv, const std::vector<double>& bulk);
 
-/// Force of a viscosity mu_z = damping rho h sqrt(g h) that acts on velocities which alternate from node to node, and on nothing else:
+/// Force of a viscosity mu_z = damping rho h sqrt(g h) that acts on velocities which alternate from node to node, and
+/// on nothing else:
 ///     s_e = mu_z (D + D^T),   D = L_e less the mean of L_I over its nodes.
-/// Zero for linear velocities; it only takes energy. A wave of length l loses by some damping sqrt(g/h) (h/l)^4: short ones die, long ones do not
-/// notice it.
+/// Zero for linear velocities; it only takes energy. A wave of length l loses by some damping sqrt(g/h) (h/l)^4: short
+/// ones die, long ones do not notice it.
 template <int Dim>
-Points<Dim> zigzagForce(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches, double damping,
-                        const std::vector<double>& h, const Points<Dim>& v);
+Points<Dim> zigzagForce(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
+                        double damping, const std::vector<double>& h, const Points<Dim>& v);
 
 }  // namespace pfem

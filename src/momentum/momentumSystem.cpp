@@ -51,8 +51,8 @@ std::vector<double> viscousDiagonal(const Patches<Dim>& fluid, const std::vector
     return diagonal;
 }
 
-/// Ratios of the viscous matrix's diagonal to that of the mass: the largest, and the one that nodes with a thousandth of the
-/// mass exceed, to the next power of two.
+/// Ratios of the viscous matrix's diagonal to that of the mass: the largest, and the one that nodes with a thousandth
+/// of the mass exceed, to the next power of two.
 struct Ratios {
     double largest = 0, typical = 0;
 };
@@ -81,8 +81,7 @@ Ratios viscousRatios(const std::vector<double>& viscous, const std::vector<doubl
 template <int Dim>
 std::vector<double> meanBulk(const Patches<Dim>& fluid, const std::vector<double>& inertia) {
     double massSum = 0, gradientSum = 0;
-    for (int i = 0; i < fluid.nNodes(); ++i)
-        massSum += inertia[i];
+    for (int i = 0; i < fluid.nNodes(); ++i) massSum += inertia[i];
     for (const auto& g : fluid.element)
         for (const auto& gradN : g.gradN) gradientSum += g.measure * gradN.squaredNorm() / Dim;
     return std::vector<double>(nStressPoints<Dim>(fluid), gradientSum > 0 ? massSum / gradientSum : 0);
@@ -127,8 +126,10 @@ void MomentumSystem<Dim>::setViscosity(FlowViscosity<Dim> viscosity) {
     viscousDiagonal_ = viscousDiagonal<Dim>(fluid_, viscosity_.mu);
     const Ratios ratios = viscousRatios(viscousDiagonal_, diagonal_);
     viscousNumber_ = ratios.typical;
-    // light nodes on flat triangles do not make the whole fluid a thick one as long as the diagonal alone converges there
-    viscous_ = controls_.theta > 0 || ratios.typical > controls_.viscousLimit || ratios.largest > 30 * controls_.viscousLimit;
+    // light nodes on flat triangles do not make the whole fluid a thick one as long as the diagonal alone converges
+    // there
+    viscous_ =
+        controls_.theta > 0 || ratios.typical > controls_.viscousLimit || ratios.largest > 30 * controls_.viscousLimit;
     forEach(static_cast<int>(diagonal_.size()), [&](int i) {
         if (!viscous_ && viscousDiagonal_[i] <= controls_.viscousLimit * diagonal_[i]) viscousDiagonal_[i] = 0;
     });
@@ -178,8 +179,7 @@ template <int Dim>
 Points<Dim> MomentumSystem<Dim>::apply(const Points<Dim>& u) const {
     Points<Dim> y(u.size(), Vec<Dim>::Zero());
     for (std::size_t i = 0; i < u.size(); ++i) y[i] = inertia_[i].cwiseProduct(u[i]);
-    if (viscous_)
-        addInternalForce<Dim>(fluid_, fluidTangentStress<Dim>(fluid_, viscosity_, u, bulk_), y);
+    if (viscous_) addInternalForce<Dim>(fluid_, fluidTangentStress<Dim>(fluid_, viscosity_, u, bulk_), y);
     if (dofs_.n > 0) scatter(solid_.multiply(gather(u)), y);
     return restricted(y);
 }

@@ -16,9 +16,9 @@ public:
     /// The references must outlive the system. `fluid`: patches whose current geometry is used by solve;
     /// `viscosity`: of their stress points.
     MomentumSystem(const Problem<Dim>& problem, const MomentumControls& momentum, const Mesh<Dim>& mesh,
-                   const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,
-                   const Patches<Dim>& fluid, FlowViscosity<Dim> viscosity, const Points<Dim>& inertia,
-                   SolidDofs<Dim> dofs, SymmetricMatrix solid, const Newmark& newmark);
+                   const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints, const Patches<Dim>& fluid,
+                   FlowViscosity<Dim> viscosity, const Points<Dim>& inertia, SolidDofs<Dim> dofs, SymmetricMatrix solid,
+                   const Newmark& newmark);
 
     /// matrixInertia of the fluid's nodes in the current configuration (the solid's factor stays).
     void setInertia(const Points<Dim>& inertia);
@@ -29,7 +29,8 @@ public:
     /// dv of all nodes for the right-hand side -R; zero where a velocity is prescribed and on isolated nodes.
     Points<Dim> solve(const Points<Dim>& residual);
 
-    /// Ratio of viscous forces to inertia, 2 mu dt/(rho h^2), that more than a few light nodes exceed; to a factor of two.
+    /// Ratio of viscous forces to inertia, 2 mu dt/(rho h^2), that more than a few light nodes exceed; to a factor of
+    /// two.
     double viscousNumber() const { return viscousNumber_; }
 
     /// Is the viscosity in the matrix, not only in the residual?
@@ -52,12 +53,12 @@ private:
     SolidDofs<Dim> dofs_;
     SymmetricMatrix solid_;
     Ldlt factor_;
-    std::vector<unsigned char> moving_;   // fluid nodes with unknowns, solids left out
-    Points<Dim> inertia_;                 // of moving fluid nodes; of a sliding one the same in all directions
-    std::vector<double> diagonal_;        // its least component, 0 elsewhere
+    std::vector<unsigned char> moving_;  // fluid nodes with unknowns, solids left out
+    Points<Dim> inertia_;                // of moving fluid nodes; of a sliding one the same in all directions
+    std::vector<double> diagonal_;       // its least component, 0 elsewhere
     FlowViscosity<Dim> viscosity_;
-    std::vector<double> viscousDiagonal_; // about that of the viscous matrix, where it is applied
-    std::vector<double> bulk_;            // theta times bulkRule's value per stress point [Pa s], empty without
+    std::vector<double> viscousDiagonal_;  // about that of the viscous matrix, where it is applied
+    std::vector<double> bulk_;             // theta times bulkRule's value per stress point [Pa s], empty without
     double viscousNumber_ = 0;
     bool viscous_ = false;
     int iterations_ = 0;

@@ -8,10 +8,10 @@ namespace pfem {
 /// Part of h that nobody sees: what moves less far within a step is at rest.
 constexpr double unseenPart = 1e-8;
 
-/// v^{n+1} = v^n + dt a,   x^{n+1} = x^n + dt/2 (v^n + v^{n+1}),   a and all forces at t^n + gamma dt: x = (1-gamma) x^n + gamma x^{n+1}
-/// and v likewise. gamma 1/2: midpoint rule, 1: backward Euler.
+/// v^{n+1} = v^n + dt a,   x^{n+1} = x^n + dt/2 (v^n + v^{n+1}),   a and all forces at t^n + gamma dt: x = (1-gamma)
+/// x^n + gamma x^{n+1} and v likewise. gamma 1/2: midpoint rule, 1: backward Euler.
 struct Newmark {
-    double dt;           // [s]
+    double dt;  // [s]
     double gamma = 0.5;
 
     /// Factor of the mass in the matrix of dv, which is the derivative of the forces at the end of the step [1/s].

@@ -5,8 +5,7 @@
 namespace pfem {
 
 template <int Dim>
-Points<Dim> tractionForce(const Mesh<Dim>& mesh, const BoundaryConditions<Dim>& conditions,
-                          const Points<Dim>& x) {
+Points<Dim> tractionForce(const Mesh<Dim>& mesh, const BoundaryConditions<Dim>& conditions, const Points<Dim>& x) {
     Points<Dim> force(x.size(), Vec<Dim>::Zero());
     for (std::size_t n = 0; n < mesh.patches.size(); ++n) {
         if (conditions.kind[n] != PatchKind::traction) continue;

@@ -7,10 +7,10 @@ namespace pfem {
 
 /// Consistent share of a traction patch: t |face|/d on each of its nodes [N/m (2D), N].
 template <int Dim>
-Points<Dim> tractionForce(const Mesh<Dim>& mesh, const BoundaryConditions<Dim>& conditions,
-                          const Points<Dim>& x);
+Points<Dim> tractionForce(const Mesh<Dim>& mesh, const BoundaryConditions<Dim>& conditions, const Points<Dim>& x);
 
-/// R_J = m_J (a_J - g) - sum_e |e| p_e grad N_J (fluid) + sum_e |e| sigma_e grad N_J (solid) - external, all nodes [N/m].
+/// R_J = m_J (a_J - g) - sum_e |e| p_e grad N_J (fluid) + sum_e |e| sigma_e grad N_J (solid) - external, all nodes
+/// [N/m].
 ///   mass: fluid + solid;  solidStress: element stresses equivalent to those of the stress points
 ///   external: tractions, friction at walls, minus the viscous force
 template <int Dim>

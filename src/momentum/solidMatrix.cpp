@@ -49,8 +49,8 @@ void addStiffness(SymmetricMatrix& A, const SolidDofs<Dim>& dofs, const Moduli& 
             if (la < lb || lb < 0) continue;
             const Vec<Dim>& ga = row.weighted[a];
             const Vec<Dim>& gb = row.weighted[b];
-            const Tensor<Dim> K = lambda * ga * gb.transpose() + mu * gb * ga.transpose() +
-                                  mu * ga.dot(gb) * Tensor<Dim>::Identity();
+            const Tensor<Dim> K =
+                lambda * ga * gb.transpose() + mu * gb * ga.transpose() + mu * ga.dot(gb) * Tensor<Dim>::Identity();
             for (int cb = 0; cb < dofs.count[nb]; ++cb) {
                 const int first = la == lb ? cb : 0;  // rows of one node follow each other
                 const int slot = A.slot(dofs.first[na] + first, dofs.first[nb] + cb);
@@ -80,7 +80,8 @@ SymmetricMatrix emptySolidMatrix(const Patches<Dim>& patches, const SolidDofs<Di
             auto& column = rows[first + c];
             for (int d = c + 1; d < count; ++d) column.push_back(first + d);
             for (int other : lower[l])
-                for (int d = 0; d < dofs.count[dofs.node[other]]; ++d) column.push_back(dofs.first[dofs.node[other]] + d);
+                for (int d = 0; d < dofs.count[dofs.node[other]]; ++d)
+                    column.push_back(dofs.first[dofs.node[other]] + d);
         }
     }
     return symmetricPattern(rows);
@@ -110,9 +111,8 @@ SolidDofs<Dim> solidDofs(const NodeToCells& solid, const NodeConstraints<Dim>& c
 
 template <int Dim>
 SymmetricMatrix solidMatrix(const Problem<Dim>& problem, const SolidControls& controls, const Cells<Dim>& cells,
-                            const Patches<Dim>& patches, const SolidDofs<Dim>& dofs,
-                            const Points<Dim>& inertia, const std::vector<double>& h,
-                            const Newmark& newmark) {
+                            const Patches<Dim>& patches, const SolidDofs<Dim>& dofs, const Points<Dim>& inertia,
+                            const std::vector<double>& h, const Newmark& newmark) {
     const bool withPressure = controls.formulation == "velocityPressure";
     SymmetricMatrix A = emptySolidMatrix<Dim>(withPressure ? withNodalPoints<Dim>(patches) : patches, dofs);
     for (std::size_t k = 0; k < dofs.node.size(); ++k)
@@ -147,12 +147,11 @@ SymmetricMatrix solidMatrix(const Problem<Dim>& problem, const SolidControls& co
     return A;
 }
 
-#define PFEM_INSTANTIATE(D)                                                                                 \
-    template SolidDofs<D> solidDofs<D>(const NodeToCells&, const NodeConstraints<D>&);                      \
-    template SymmetricMatrix solidMatrix<D>(const Problem<D>&, const SolidControls&, const Cells<D>&,       \
-                                            const Patches<D>&, const SolidDofs<D>&,                         \
-                                            const Points<D>&, const std::vector<double>&,                   \
-                                            const Newmark&);
+#define PFEM_INSTANTIATE(D)                                                                           \
+    template SolidDofs<D> solidDofs<D>(const NodeToCells&, const NodeConstraints<D>&);                \
+    template SymmetricMatrix solidMatrix<D>(const Problem<D>&, const SolidControls&, const Cells<D>&, \
+                                            const Patches<D>&, const SolidDofs<D>&, const Points<D>&, \
+                                            const std::vector<double>&, const Newmark&);
 PFEM_INSTANTIATE(2)
 
 }  // namespace pfem

@@ -12,11 +12,11 @@ namespace pfem {
 /// Velocity unknowns of the solid nodes: free nodes have Dim, sliding nodes Dim - 1, fixed ones none.
 template <int Dim>
 struct SolidDofs {
-    std::vector<int> node;          // solid nodes with unknowns
-    std::vector<int> first;         // per mesh node: its first unknown or -1
-    std::vector<int> count;         // per mesh node
+    std::vector<int> node;           // solid nodes with unknowns
+    std::vector<int> first;          // per mesh node: its first unknown or -1
+    std::vector<int> count;          // per mesh node
     std::vector<Tensor<Dim>> basis;  // per entry of `node`: its first count columns span the free directions
-    std::vector<int> local;         // per mesh node: index into `node` or -1
+    std::vector<int> local;          // per mesh node: index into `node` or -1
     int n = 0;
 };
 
@@ -24,12 +24,12 @@ template <int Dim>
 SolidDofs<Dim> solidDofs(const NodeToCells& solid, const NodeConstraints<Dim>& constraints);
 
 /// A_s = inertia (surfaceStiffness.hpp) + (c - tau_s) K_points + tau_s K_element,  K = sum Omega G^T C G,
-/// c = dt (paper) or dt/2 (the others); the inertia of solid and fluid together. With elemental integration both K are one.
-/// velocityPressure: c K_points has the deviatoric part of C alone, the nodal patches give its bulk part kappa I (x) I.
+/// c = dt (paper) or dt/2 (the others); the inertia of solid and fluid together. With elemental integration both K are
+/// one. velocityPressure: c K_points has the deviatoric part of C alone, the nodal patches give its bulk part kappa I
+/// (x) I.
 template <int Dim>
 SymmetricMatrix solidMatrix(const Problem<Dim>& problem, const SolidControls& controls, const Cells<Dim>& cells,
-                            const Patches<Dim>& patches, const SolidDofs<Dim>& dofs,
-                            const Points<Dim>& inertia, const std::vector<double>& h,
-                            const Newmark& newmark);
+                            const Patches<Dim>& patches, const SolidDofs<Dim>& dofs, const Points<Dim>& inertia,
+                            const std::vector<double>& h, const Newmark& newmark);
 
 }  // namespace pfem

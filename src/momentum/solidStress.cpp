@@ -14,8 +14,8 @@ namespace {
 /// Element stress with the force of the energy sum_p Omega_p W(F_p), F_p over the reference patches: the mean of the
 /// points' first Piola stress, carried to the current element by its own F_e. For elements: sigma itself.
 template <int Dim>
-std::vector<Tensor<Dim>> hyperelasticElementStress(const Patches<Dim>& reference,
-                                                   const std::vector<Stress<Dim>>& sigma, const Points<Dim>& x) {
+std::vector<Tensor<Dim>> hyperelasticElementStress(const Patches<Dim>& reference, const std::vector<Stress<Dim>>& sigma,
+                                                   const Points<Dim>& x) {
     const auto F = elementGradient<Dim>(reference, x);
     const auto pointF = toPoints<Dim>(reference, F);
     std::vector<Tensor<Dim>> P(sigma.size(), Tensor<Dim>::Zero());
@@ -124,9 +124,10 @@ SolidStress<Dim> solidStress(const Problem<Dim>& problem, const SolidControls& c
         stress.pressure = volumeRatio<Dim>(patches, trial.x);
         const auto nodes = withNodalPoints<Dim>(patches);
         for (int i = 0; i < nodes.nNodes(); ++i)
-            stress.pressure[i] = isStressPoint<Dim>(nodes, i)
-                                     ? neoHookeanPressure(solidMaterial<Dim>(problem, cells, nodes, i), stress.pressure[i])
-                                     : 0;
+            stress.pressure[i] =
+                isStressPoint<Dim>(nodes, i)
+                    ? neoHookeanPressure(solidMaterial<Dim>(problem, cells, nodes, i), stress.pressure[i])
+                    : 0;
         return stress;
     }
     const auto atNodes = updatedStress<Dim>(problem, controls, cells, withNodalPoints<Dim>(patches), old, trial, dt);
@@ -157,8 +158,9 @@ std::vector<Tensor<Dim>> solidElementStress(const Problem<Dim>& problem, const S
 }
 
 template <int Dim>
-std::vector<Tensor<Dim>> storedElementStress(const Problem<Dim>& problem, const SolidControls& controls, const Cells<Dim>& cells,
-                                             const Patches<Dim>& patches, const Nodes<Dim>& nodes) {
+std::vector<Tensor<Dim>> storedElementStress(const Problem<Dim>& problem, const SolidControls& controls,
+                                             const Cells<Dim>& cells, const Patches<Dim>& patches,
+                                             const Nodes<Dim>& nodes) {
     auto gradients = patches;
     updatePatches<Dim>(gradients, gradientPositions<Dim>(controls, nodes, nodes));
     // a hyperelastic stress follows from the positions; the others are what is stored
@@ -178,18 +180,18 @@ void storeSolidStress(const Patches<Dim>& patches, SolidStress<Dim> stress, std:
         cell[e] = withPressure<Dim>(cell[e], cellMean<Dim>(patches, stress.pressure, static_cast<int>(e)));
 }
 
-#define PFEM_INSTANTIATE(D)                                                                                        \
-    template const Hypoelastic& solidMaterial<D>(const Problem<D>&, const Cells<D>&, const Patches<D>&, int);      \
-    template std::vector<double> volumeRatio<D>(const Patches<D>&, const Points<D>&);                              \
-    template Points<D> gradientPositions<D>(const SolidControls&, const Nodes<D>&, const Nodes<D>&);               \
-    template SolidStress<D> solidStress<D>(const Problem<D>&, const SolidControls&, const Cells<D>&,               \
-                                           const Patches<D>&, const Nodes<D>&, const Nodes<D>&, double);           \
-    template std::vector<Tensor<D>> solidElementStress<D>(const Problem<D>&, const SolidControls&, const Cells<D>&, \
-                                                          const Patches<D>&, const Patches<D>&,                    \
-                                                          const SolidStress<D>&, const Nodes<D>&);                 \
-    template std::vector<Tensor<D>> storedElementStress<D>(const Problem<D>&, const SolidControls&, const Cells<D>&, \
-                                                           const Patches<D>&, const Nodes<D>&);                    \
-    template void storeSolidStress<D>(const Patches<D>&, SolidStress<D>, std::vector<Stress<D>>&,                  \
+#define PFEM_INSTANTIATE(D)                                                                                            \
+    template const Hypoelastic& solidMaterial<D>(const Problem<D>&, const Cells<D>&, const Patches<D>&, int);          \
+    template std::vector<double> volumeRatio<D>(const Patches<D>&, const Points<D>&);                                  \
+    template Points<D> gradientPositions<D>(const SolidControls&, const Nodes<D>&, const Nodes<D>&);                   \
+    template SolidStress<D> solidStress<D>(const Problem<D>&, const SolidControls&, const Cells<D>&,                   \
+                                           const Patches<D>&, const Nodes<D>&, const Nodes<D>&, double);               \
+    template std::vector<Tensor<D>> solidElementStress<D>(const Problem<D>&, const SolidControls&, const Cells<D>&,    \
+                                                          const Patches<D>&, const Patches<D>&, const SolidStress<D>&, \
+                                                          const Nodes<D>&);                                            \
+    template std::vector<Tensor<D>> storedElementStress<D>(const Problem<D>&, const SolidControls&, const Cells<D>&,   \
+                                                           const Patches<D>&, const Nodes<D>&);                        \
+    template void storeSolidStress<D>(const Patches<D>&, SolidStress<D>, std::vector<Stress<D>>&,                      \
                                       std::vector<Stress<D>>&);
 PFEM_INSTANTIATE(2)
 

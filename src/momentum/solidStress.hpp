@@ -37,13 +37,12 @@ struct SolidStress {
 /// afresh at every iteration; of points outside the material the stored value. velocityPressure: s of the stress points
 /// and p of the nodes, p = p^n - kappa tr(De_I) with the strain increment of the nodal patch: that is the mass equation
 /// (1/kappa) dp/dt + div v = 0 with lumped test functions, solved for p at each node. s is the
-/// deviator; with neoHookean it is the part of mu, p that of lambda with J = Omega_I/Omega_I0: both are derivatives of the
-/// energy sum_p Omega_p W_mu(F_p) + sum_I Omega_I0 U(Omega_I/Omega_I0).
+/// deviator; with neoHookean it is the part of mu, p that of lambda with J = Omega_I/Omega_I0: both are derivatives of
+/// the energy sum_p Omega_p W_mu(F_p) + sum_I Omega_I0 U(Omega_I/Omega_I0).
 ///   patches: at gradientPositions
 template <int Dim>
-SolidStress<Dim> solidStress(const Problem<Dim>& problem, const SolidControls& controls,
-                                     const Cells<Dim>& cells, const Patches<Dim>& patches, const Nodes<Dim>& old,
-                                     const Nodes<Dim>& trial, double dt);
+SolidStress<Dim> solidStress(const Problem<Dim>& problem, const SolidControls& controls, const Cells<Dim>& cells,
+                             const Patches<Dim>& patches, const Nodes<Dim>& old, const Nodes<Dim>& trial, double dt);
 
 /// Element stress that makes the nodal force from the points' stress (fromPoints) and the pressure, plus the damper's
 /// tau_s C : (d_e - fromPoints(d)_e), which vanishes for linear velocity fields and for elemental integration.
@@ -56,8 +55,9 @@ std::vector<Tensor<Dim>> solidElementStress(const Problem<Dim>& problem, const S
 
 /// The same for a state as it is stored, with the patches at its positions.
 template <int Dim>
-std::vector<Tensor<Dim>> storedElementStress(const Problem<Dim>& problem, const SolidControls& controls, const Cells<Dim>& cells,
-                                             const Patches<Dim>& patches, const Nodes<Dim>& nodes);
+std::vector<Tensor<Dim>> storedElementStress(const Problem<Dim>& problem, const SolidControls& controls,
+                                             const Cells<Dim>& cells, const Patches<Dim>& patches,
+                                             const Nodes<Dim>& nodes);
 
 /// Store the accepted stress at nodes and, elemental, in cells: sigma = s - p I; see storeFromPoints.
 template <int Dim>

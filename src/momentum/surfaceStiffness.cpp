@@ -15,7 +15,8 @@ Points<Dim> surfaceStiffness(const Problem<Dim>& problem, const Cells<Dim>& flui
     for (const auto& face : topology.faces) {
         if (face.kind != FaceKind::freeSurface && face.kind != FaceKind::interface) continue;
         const double pressing = -problem.gravity.dot(faceArea<Dim>(x, face.nodes));  // |face| times -g . n
-        const double share = 0.5 * newmark.dt * problem.fluid(fluid.material[face.cell]).rho * std::max(0.0, pressing) / Dim;
+        const double share =
+            0.5 * newmark.dt * problem.fluid(fluid.material[face.cell]).rho * std::max(0.0, pressing) / Dim;
         for (int node : face.nodes) stiffness[node] += share * direction;
     }
     return stiffness;
@@ -24,15 +25,14 @@ Points<Dim> surfaceStiffness(const Problem<Dim>& problem, const Cells<Dim>& flui
 template <int Dim>
 Points<Dim> matrixInertia(const std::vector<double>& mass, const Points<Dim>& stiffness, const Newmark& newmark) {
     Points<Dim> inertia(mass.size());
-    forEach(static_cast<int>(mass.size()), [&](int i) {
-        inertia[i] = matrixInertia<Dim>(mass[i], stiffness[i], newmark);
-    });
+    forEach(static_cast<int>(mass.size()),
+            [&](int i) { inertia[i] = matrixInertia<Dim>(mass[i], stiffness[i], newmark); });
     return inertia;
 }
 
-#define PFEM_INSTANTIATE(D)                                                                                      \
+#define PFEM_INSTANTIATE(D)                                                                                          \
     template Points<D> surfaceStiffness<D>(const Problem<D>&, const Cells<D>&, const Topology<D>&, const Points<D>&, \
-                                           const Newmark&);                                                      \
+                                           const Newmark&);                                                          \
     template Points<D> matrixInertia<D>(const std::vector<double>&, const Points<D>&, const Newmark&);
 PFEM_INSTANTIATE(2)
 

@@ -8,7 +8,8 @@
 namespace pfem {
 
 template <int Dim>
-Vec<Dim> slidingVelocity(const Problem<Dim>& problem, int patch, const Vec<Dim>& n, const Vec<Dim>& x, const Vec<Dim>& v) {
+Vec<Dim> slidingVelocity(const Problem<Dim>& problem, int patch, const Vec<Dim>& n, const Vec<Dim>& x,
+                         const Vec<Dim>& v) {
     Vec<Dim> u = v;
     const auto& motion = problem.conditions.motion[patch];
     if (motion) u -= motion->template step<Dim>(problem.time, problem.time).velocityAt(x);

@@ -3,7 +3,8 @@
 //
 //     tau_w = rho c_f |u| u / 2,   u the velocity along the wall relative to it
 //
-// c_f of a smooth wall is 0.079 Re^(-1/4) (Blasius; Re with four times the depth of the flow), 0.003 ... 0.006 in the laboratory.
+// c_f of a smooth wall is 0.079 Re^(-1/4) (Blasius; Re with four times the depth of the flow), 0.003 ... 0.006 in the
+// laboratory.
 
 #include "integration/nodalPatches.hpp"
 #include "state/problem.hpp"
@@ -12,7 +13,8 @@ namespace pfem {
 
 /// u of a fluid node at x with velocity v; n: unit normal of the wall [m/s].
 template <int Dim>
-Vec<Dim> slidingVelocity(const Problem<Dim>& problem, int patch, const Vec<Dim>& n, const Vec<Dim>& x, const Vec<Dim>& v);
+Vec<Dim> slidingVelocity(const Problem<Dim>& problem, int patch, const Vec<Dim>& n, const Vec<Dim>& x,
+                         const Vec<Dim>& v);
 
 /// Traction of the wall on the fluid [Pa].
 template <int Dim>
@@ -23,7 +25,8 @@ template <int Dim>
 void addWallFriction(const Problem<Dim>& problem, const Cells<Dim>& fluid, const Topology<Dim>& topology,
                      const Nodes<Dim>& nodes, Points<Dim>& force);
 
-/// Force per volume of the two walls in front of and behind a plane flow, at the distance b: - rho c_f |v| v / b [N/m3].
+/// Force per volume of the two walls in front of and behind a plane flow, at the distance b: - rho c_f |v| v / b
+/// [N/m3].
 template <int Dim>
 Vec<Dim> sideFriction(const Problem<Dim>& problem, double rho, const Vec<Dim>& v);
 

@@ -25,7 +25,8 @@ WallMotion::WallMotion(const Dictionary& dict, bool plane) {
     axis_ = dict.get("axis", axis_);
     if (!(axis_.norm() > 0)) dict.fatal("axis", "The axis of rotation must not be zero");
     axis_.normalize();
-    if (plane && axis_.head<2>().norm() > 0) dict.fatal("axis", "A plane case turns about the z axis only: axis (0 0 1)");
+    if (plane && axis_.head<2>().norm() > 0)
+        dict.fatal("axis", "A plane case turns about the z axis only: axis (0 0 1)");
 }
 
 Eigen::Vector3d WallMotion::displacement(double t0, double t1) const {

@@ -5,28 +5,20 @@
 
 namespace pfem {
 
-Canvas::Canvas(int width, int height, Colour background)
-    : fine_(factor_ * width, factor_ * height, background) {
+Canvas::Canvas(int width, int height, Colour background) : fine_(factor_ * width, factor_ * height, background) {
     noClip();
 }
 
-void Canvas::clip(const Box& box) {
-    clip_ = box;
-}
-void Canvas::noClip() {
-    clip_ = {0, 0, double(fine_.width) / factor_, double(fine_.height) / factor_};
-}
+void Canvas::clip(const Box& box) { clip_ = box; }
+void Canvas::noClip() { clip_ = {0, 0, double(fine_.width) / factor_, double(fine_.height) / factor_}; }
 
 /// The samples whose centres lie in the box and in the clip.
 Canvas::Samples Canvas::samplesIn(const Box& box) const {
     auto index = [](double pixel, int limit) {
-        return static_cast<int>(
-            std::clamp(std::ceil(pixel * factor_ - 0.5), 0.0, static_cast<double>(limit)));
+        return static_cast<int>(std::clamp(std::ceil(pixel * factor_ - 0.5), 0.0, static_cast<double>(limit)));
     };
-    return {index(std::max(box.left, clip_.left), fine_.width),
-            index(std::min(box.right, clip_.right), fine_.width),
-            index(std::max(box.top, clip_.top), fine_.height),
-            index(std::min(box.bottom, clip_.bottom), fine_.height)};
+    return {index(std::max(box.left, clip_.left), fine_.width), index(std::min(box.right, clip_.right), fine_.width),
+            index(std::max(box.top, clip_.top), fine_.height), index(std::min(box.bottom, clip_.bottom), fine_.height)};
 }
 
 void Canvas::rectangle(const Box& box, Colour colour) {
@@ -59,8 +51,8 @@ void Canvas::triangle(const std::array<Vec<2>, 3>& corners, Colour colour) {
 
 void Canvas::line(const Vec<2>& a, const Vec<2>& b, double thickness, Colour colour) {
     const double r = thickness / 2;
-    const Samples s = samplesIn({std::min(a[0], b[0]) - r, std::min(a[1], b[1]) - r, std::max(a[0], b[0]) + r,
-                                 std::max(a[1], b[1]) + r});
+    const Samples s = samplesIn(
+        {std::min(a[0], b[0]) - r, std::min(a[1], b[1]) - r, std::max(a[0], b[0]) + r, std::max(a[1], b[1]) + r});
     const Vec<2> along = b - a;
     const double length2 = along.squaredNorm();
     for (int y = s.y0; y < s.y1; ++y)
@@ -81,8 +73,7 @@ Image Canvas::image() const {
                 const Colour& sample = fine_.at(factor_ * x + k % factor_, factor_ * y + k / factor_);
                 for (std::size_t c = 0; c < 3; ++c) sum[c] += sample[c];
             }
-            for (std::size_t c = 0; c < 3; ++c)
-                image.at(x, y)[c] = static_cast<std::uint8_t>((sum[c] + n / 2) / n);
+            for (std::size_t c = 0; c < 3; ++c) image.at(x, y)[c] = static_cast<std::uint8_t>((sum[c] + n / 2) / n);
         }
     return image;
 }

@@ -36,9 +36,7 @@ public:
 
     /// With round ends; a line of no length is a dot.
     void line(const Vec<2>& a, const Vec<2>& b, double thickness, Colour colour);
-    void disc(const Vec<2>& centre, double radius, Colour colour) {
-        line(centre, centre, 2 * radius, colour);
-    }
+    void disc(const Vec<2>& centre, double radius, Colour colour) { line(centre, centre, 2 * radius, colour); }
 
     /// The mean over each pixel's samples.
     Image image() const;

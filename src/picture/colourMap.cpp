@@ -23,8 +23,7 @@ const std::map<std::string, std::vector<Colour>>& tables() {
           {109, 205, 89},
           {180, 222, 44},
           {253, 231, 37}}},
-        {"blues",
-         {{214, 230, 244}, {171, 208, 230}, {106, 174, 214}, {56, 138, 193}, {16, 92, 164}, {8, 48, 107}}},
+        {"blues", {{214, 230, 244}, {171, 208, 230}, {106, 174, 214}, {56, 138, 193}, {16, 92, 164}, {8, 48, 107}}},
         {"coolWarm",
          {{59, 76, 192},
           {123, 159, 249},
@@ -61,8 +60,7 @@ Colour ColourMap::operator()(double fraction) const {
     const double t = place - static_cast<double>(i);
     Colour colour;
     for (std::size_t c = 0; c < 3; ++c)
-        colour[c] =
-            static_cast<std::uint8_t>(std::lround((1 - t) * (*points_)[i][c] + t * (*points_)[i + 1][c]));
+        colour[c] = static_cast<std::uint8_t>(std::lround((1 - t) * (*points_)[i][c] + t * (*points_)[i + 1][c]));
     return colour;
 }
 

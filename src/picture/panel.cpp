@@ -21,15 +21,12 @@ Colour meshColourOn(Colour fill) {
     return dark ? Colour{165, 165, 165} : Colour{40, 40, 40};
 }
 
-bool has(Region region, Region place) {
-    return region == Region::both || region == place;
-}
+bool has(Region region, Region place) { return region == Region::both || region == place; }
 
 /// Draws the parts of one state; places are turned to pixels here.
 class Painter {
 public:
-    Painter(Canvas& canvas, const Box& box, const Window& window, const State<2>& state,
-            const PanelStyle& style)
+    Painter(Canvas& canvas, const Box& box, const Window& window, const State<2>& state, const PanelStyle& style)
         : canvas_(canvas),
           box_(box),
           low_(window.low),
@@ -56,8 +53,7 @@ public:
     }
 
     void outline(const Cells<2>& cells) {
-        for (const auto& face :
-             boundaryFaces<2>(cells.nodes, nodeToCells<2>(cells.nodes, state_.nodes.size())))
+        for (const auto& face : boundaryFaces<2>(cells.nodes, nodeToCells<2>(cells.nodes, state_.nodes.size())))
             canvas_.line(place(face.nodes[0]), place(face.nodes[1]), 1.5 * style_.pen, solidOutline);
     }
 
@@ -102,8 +98,7 @@ void forCellNodes(const State<2>& state, Region region, const Function& function
 
 }  // namespace
 
-void drawPanel(Canvas& canvas, const Box& box, const Window& window, const State<2>& state,
-               const PanelStyle& style) {
+void drawPanel(Canvas& canvas, const Box& box, const Window& window, const State<2>& state, const PanelStyle& style) {
     const double rim = style.pen;  // lines on the edge of the window keep their thickness
     canvas.clip({box.left - rim, box.top, box.right + rim, box.bottom + rim});
     Painter painter(canvas, box, window, state, style);

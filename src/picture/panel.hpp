@@ -25,8 +25,7 @@ struct PanelStyle {
 
 /// Fluid, solids with an outline, walls as lines, isolated particles as dots of their volume.
 /// Where the field has no meaning the body has a plain colour.
-void drawPanel(Canvas& canvas, const Box& box, const Window& window, const State<2>& state,
-               const PanelStyle& style);
+void drawPanel(Canvas& canvas, const Box& box, const Window& window, const State<2>& state, const PanelStyle& style);
 
 /// The smallest window with all triangles of the state.
 Window windowOf(const State<2>& state);

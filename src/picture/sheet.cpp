@@ -55,8 +55,8 @@ struct Layout {
         if (!(panelWidth >= 20))
             throw UserError(fmt::format("{} columns do not fit into a width of {}", columns, width));
         if (!(panelHeight >= 1 && total * width <= 2e8))
-            throw UserError(fmt::format(
-                "the picture would be {} x {:.0f} pixels: choose another box or width", width, total));
+            throw UserError(
+                fmt::format("the picture would be {} x {:.0f} pixels: choose another box or width", width, total));
         height = static_cast<int>(std::ceil(total));
     }
 
@@ -75,15 +75,13 @@ void drawColourBar(Canvas& canvas, const Layout& layout, const ValueRange& range
     const double top = layout.height - layout.bar + 0.6 * layout.text;
     const double right = std::min(left + length, layout.width - 4 * layout.text);
     for (double x = left; x < right; ++x)
-        canvas.rectangle({x, top, std::min(x + 1, right), top + thick},
-                         colours((x + 0.5 - left) / (right - left)));
-    drawText(canvas, field.title, {left - layout.text, top + 0.5 * (thick + layout.text)}, layout.text,
-             Align::right);
+        canvas.rectangle({x, top, std::min(x + 1, right), top + thick}, colours((x + 0.5 - left) / (right - left)));
+    drawText(canvas, field.title, {left - layout.text, top + 0.5 * (thick + layout.text)}, layout.text, Align::right);
     for (const double tick : roundTicks(range.low, range.high, 6)) {
         const double x = left + (tick - range.low) / (range.high - range.low) * (right - left);
         canvas.line({x, top + thick}, {x, top + thick + 0.4 * layout.text}, 1, black);
-        drawText(canvas, tickLabel(tick, range.high - range.low), {x, top + thick + 1.9 * layout.text},
-                 layout.text, Align::centre);
+        drawText(canvas, tickLabel(tick, range.high - range.low), {x, top + thick + 1.9 * layout.text}, layout.text,
+                 Align::centre);
     }
 }
 
@@ -106,8 +104,8 @@ Image drawSheet(const std::vector<State<2>>& states, const SheetOptions& options
     for (std::size_t k = 0; k < states.size(); ++k) {
         const Box box = layout.panel(static_cast<int>(k));
         drawPanel(canvas, box, window, states[k], style);
-        drawText(canvas, fmt::format("t = {:.6g} s", states[k].time.value),
-                 {box.left, box.top - 0.6 * layout.text}, layout.text);
+        drawText(canvas, fmt::format("t = {:.6g} s", states[k].time.value), {box.left, box.top - 0.6 * layout.text},
+                 layout.text);
     }
     drawColourBar(canvas, layout, range, field, colours);
     return canvas.image();

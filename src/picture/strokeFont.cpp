@@ -44,9 +44,7 @@ std::vector<Line> strokesOf(char c) {
     return strokes;
 }
 
-constexpr double unit(double size) {
-    return size / 9;
-}
+constexpr double unit(double size) { return size / 9; }
 
 double advance(const std::vector<Line>& strokes) {
     double right = strokes.empty() ? 2 : 0;
@@ -63,8 +61,8 @@ double textWidth(const std::string& text, double size) {
     return text.empty() ? 0 : (width - 2.2) * unit(size);
 }
 
-void drawText(Canvas& canvas, const std::string& text, const Vec<2>& at, double size, Align align,
-              Colour colour, double weight) {
+void drawText(Canvas& canvas, const std::string& text, const Vec<2>& at, double size, Align align, Colour colour,
+              double weight) {
     const double shift = align == Align::left ? 0 : align == Align::centre ? 0.5 : 1;
     Vec<2> pen(at[0] - shift * textWidth(text, size), at[1]);
     for (const char c : text) {

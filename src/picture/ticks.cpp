@@ -18,8 +18,7 @@ std::vector<double> roundTicks(double low, double high, int wanted) {
         }
     std::vector<double> ticks;
     const double last = std::floor(high / step + 1e-6);
-    for (double k = std::ceil(low / step - 1e-6); k <= last && ticks.size() < 100; ++k)
-        ticks.push_back(k * step);
+    for (double k = std::ceil(low / step - 1e-6); k <= last && ticks.size() < 100; ++k) ticks.push_back(k * step);
     return ticks;
 }
 

@@ -13,8 +13,7 @@ namespace pfem {
 
 std::vector<KeywordTable> functionKeywords() {
     const std::string file = "system/controlDict, functions";
-    const EntryDescription fields{"fields",   "list of word",   "-",
-                                  "required", "fields by name", "U a D p sigma h"};
+    const EntryDescription fields{"fields", "list of word", "-", "required", "fields by name", "U a D p sigma h"};
     std::vector<EntryDescription> all{
         {"type", "word", "-", "required", "what the function does; one of another program is left out with a warning",
          oneOf(functionTypes()).text},
@@ -23,16 +22,12 @@ std::vector<KeywordTable> functionKeywords() {
     all.push_back({"writePrecision", "int", "digits", "that of controlDict", "digits of the numbers", ""});
     all.push_back({"libs", "list of word", "-", "optional", "accepted and ignored", ""});
     return {
-        {file,
-         "",
+        {file, "",
          "One dictionary per function under a name of its own, in braces or, as a list, in brackets; its tables are in "
          "`postProcessing/<name>/<startTime>`.",
          all},
         {file, "boundingBox", "Lower and upper corners of fluid and solids; no entries.", {}},
-        {file,
-         "energy",
-         "Stored energies, dissipation, works, and what the numerics dissipate; no entries.",
-         {}},
+        {file, "energy", "Stored energies, dissipation, works, and what the numerics dissipate; no entries.", {}},
         {file, "fieldMinMax", "Extremes of fields and where they are.", {fields}},
         {file, "forces", "Force and moment of the fluid on walls and solids; reactions of supports.",
          describeEntries<ForcesEntries>()},
@@ -50,8 +45,7 @@ std::vector<KeywordTable> functionKeywords() {
           {"fixedLocations", "bool", "-", "yes",
            "no: the points ride on the material that holds them at the first time", ""},
           {"interpolationScheme", "word", "-", "optional", "accepted; values are linear in the triangle", ""},
-          {"includeOutOfBounds", "bool", "-", "optional", "accepted; a point without material gives -1e+300",
-           ""}}},
+          {"includeOutOfBounds", "bool", "-", "optional", "accepted; a point without material gives -1e+300", ""}}},
         {file, "waveGauge", "Elevation of the free surface.", describeEntries<WaveGaugeEntries>()},
     };
 }

@@ -12,15 +12,12 @@ std::string cell(std::string text) {
     return text;
 }
 
-std::string code(const std::string& text) {
-    return text.empty() ? "" : "`" + cell(text) + "`";
-}
+std::string code(const std::string& text) { return text.empty() ? "" : "`" + cell(text) + "`"; }
 
 std::string row(const EntryDescription& entry) {
     const bool value = entry.defaultValue != "required" && entry.defaultValue != "optional";
     return fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", entry.name, entry.type, entry.unit,
-                       value ? code(entry.defaultValue) : entry.defaultValue, cell(entry.range),
-                       cell(entry.meaning));
+                       value ? code(entry.defaultValue) : entry.defaultValue, cell(entry.range), cell(entry.meaning));
 }
 
 }  // namespace
@@ -45,8 +42,7 @@ std::string keywordPage() {
         if (!table.place.empty()) text += "\n### " + table.place + "\n";
         text += "\n" + table.meaning + "\n";
         if (table.rows.empty()) continue;
-        text +=
-            "\n| entry | type | unit | default | range | meaning |\n| --- | --- | --- | --- | --- | --- |\n";
+        text += "\n| entry | type | unit | default | range | meaning |\n| --- | --- | --- | --- | --- | --- |\n";
         for (const auto& entry : table.rows) text += row(entry);
     }
     return text;

@@ -6,8 +6,7 @@ namespace pfem {
 std::vector<KeywordTable> meshKeywords() {
     const std::string file = "system/meshDict";
     const EntryDescription size{
-        "meshSize", "scalar", "m", "that of the dictionary above", "wanted length of the triangles' edges",
-        "> 0"};
+        "meshSize", "scalar", "m", "that of the dictionary above", "wanted length of the triangles' edges", "> 0"};
     const EntryDescription arcs{"edges",
                                 "list of arc",
                                 "m",
@@ -24,7 +23,9 @@ std::vector<KeywordTable> meshKeywords() {
           {"walls", "dictionaries", "-", "optional", "the rigid walls by name", ""},
           {"refinements", "dictionaries", "-", "optional", "places of finer mesh by name", ""},
           {"meshFile", "file", "-", "optional",
-           "take the triangles of this file, relative to the case, instead of making them: Gmsh's .msh (2.2 or 4.1, text or binary) or .vtu", ""},
+           "take the triangles of this file, relative to the case, instead of making them: Gmsh's .msh (2.2 or 4.1, "
+           "text or binary) or .vtu",
+           ""},
           {"scale", "scalar", "-", "1", "from the lengths of meshFile to metres", "> 0"},
           {"cellArray", "word", "-", "material", "of a .vtu: the cells' integer array that numbers the groups", ""}}},
         {file,
@@ -32,18 +33,21 @@ std::vector<KeywordTable> meshKeywords() {
          "Bodies that touch share their nodes.",
          {{"type", "word", "-", "required", "fluid or solid", "one of: fluid solid"},
           {"material", "word", "-", "required", "a name of constant/materials", ""},
-          {"vertices", "list of points", "m", "required", "corners (x y), counter-clockwise, numbered from 0; those within 1e-6 meshSize are one, and of those finer than half of it only what shows at that size is kept (within 0.05 of it)",
+          {"vertices", "list of points", "m", "required",
+           "corners (x y), counter-clockwise, numbered from 0; those within 1e-6 meshSize are one, and of those finer "
+           "than half of it only what shows at that size is kept (within 0.05 of it)",
            ""},
           arcs,
           size,
-          {"velocity", "point", "m/s", "(0 0)",
-           "initial velocity; of the place: expression (\"-2*y\" \"2*x\")", ""},
+          {"velocity", "point", "m/s", "(0 0)", "initial velocity; of the place: expression (\"-2*y\" \"2*x\")", ""},
           {"pattern", "word", "-", "unstructured", "regular meshes are for bodies with four vertices",
            "one of: unstructured checkerboard oneWay crossed"},
-          {"cells", "list of int", "-", "from meshSize", "of a pattern: cells along the edges 0-1 and 1-2",
-           ">= 1"},
-          {"holes", "list of word", "-", "()", "bodies whose outlines are cut out of this one; they may touch its outline and each other", ""},
-          {"group", "word", "-", "the body's name", "with meshFile, instead of vertices: its group of triangles; \"surface 2\": an entity in no physical group", ""},
+          {"cells", "list of int", "-", "from meshSize", "of a pattern: cells along the edges 0-1 and 1-2", ">= 1"},
+          {"holes", "list of word", "-", "()",
+           "bodies whose outlines are cut out of this one; they may touch its outline and each other", ""},
+          {"group", "word", "-", "the body's name",
+           "with meshFile, instead of vertices: its group of triangles; \"surface 2\": an entity in no physical group",
+           ""},
           {"patches", "dictionaries", "-", "optional",
            "parts of the outline that constant/boundaryConditions speaks of", ""}}},
         {file,
@@ -53,9 +57,11 @@ std::vector<KeywordTable> meshKeywords() {
           {"group", "word", "-", "the patch's name", "with meshFile, instead of edges: its group of edges", ""}}},
         {file,
          "refinements: each",
-         "Finer unstructured mesh there; it grows by 0.2 per distance away from it. Nodes keep their size as they move.",
+         "Finer unstructured mesh there; it grows by 0.2 per distance away from it. Nodes keep their size as they "
+         "move.",
          {{"type", "word", "-", "required", "box, or curve: all that is near a line", "one of: box curve"},
-          {"meshSize", "scalar", "m", "required", "wanted length of edges there; coarser than the body's own: no effect", "> 0"},
+          {"meshSize", "scalar", "m", "required",
+           "wanted length of edges there; coarser than the body's own: no effect", "> 0"},
           {"min", "point", "m", "required", "of a box: lower left corner", ""},
           {"max", "point", "m", "required", "of a box: upper right corner", ""},
           {"points", "list of points", "m", "required", "of a curve: its corners (x y)", ""},
@@ -68,7 +74,8 @@ std::vector<KeywordTable> meshKeywords() {
           size,
           {"group", "word", "-", "the wall's name", "with meshFile, instead of points: its group of edges", ""},
           {"closed", "bool", "-", "no", "join the last point to the first", ""},
-          {"moving", "bool", "-", "no", "it shares no corner with other walls, so that it can leave or slide over them", ""}}},
+          {"moving", "bool", "-", "no", "it shares no corner with other walls, so that it can leave or slide over them",
+           ""}}},
     };
 }
 

@@ -77,8 +77,8 @@ template <int Dim>
 void countAppeared(State<Dim>& state) {
     state.appeared.clear();
     if (state.ledger.count("gone") > 0) state.appeared["gone"].assign(state.nodes.size(), 0.0);
-    for (const char* cause : {"solver", "correction", "compression", "surface", "released", "landed", "returned", "contact", "stretched",
-                              "reshaped", "isolated"})
+    for (const char* cause : {"solver", "correction", "compression", "surface", "released", "landed", "returned",
+                              "contact", "stretched", "reshaped", "isolated"})
         state.appeared[cause].assign(state.nodes.size(), 0.0);
 }
 

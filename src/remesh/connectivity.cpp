@@ -73,7 +73,7 @@ public:
           gap_(t_.cells.size(), 0) {}
 
     Connectivity select() {
-#pragma omp parallel for schedule(static) if (static_cast<int>(t_.cells.size()) > shortLoop)
+#pragma omp parallel for schedule(static) if (static_cast <int>(t_.cells.size()) > shortLoop)
         for (int e = 0; e < static_cast<int>(t_.cells.size()); ++e) judge(e);
         countCells();
         Connectivity& result = result_;
@@ -167,8 +167,7 @@ private:
 
     bool isStretched(int e) const {
         const auto& s = t_.cells[e];
-        return isSliver(s) ||
-               circumradius(nodes_.x, s) > controls_.alpha * controls_.alphaInside * meanSize(nodes_, s);
+        return isSliver(s) || circumradius(nodes_.x, s) > controls_.alpha * controls_.alphaInside * meanSize(nodes_, s);
     }
 
     /// A lone triangle between places of solids or corners of walls: what little it holds, no fluid node can carry.

@@ -12,11 +12,11 @@ struct CandidateNodes {
     Points<2> x;
     Points<2> v;
     std::vector<double> h;
-    std::vector<unsigned char> held;     // on a solid or corner of a rigid wall
-    std::vector<unsigned char> wet;      // was in a fluid cell before
-    std::vector<int> old;                // index in the moved old mesh, -1 for inserted nodes
-    double dt = 0;                       // length of the step [s]
-    Points<2> inward;                    // of nodes that slide along a wall: its normal into the fluid; else zero
+    std::vector<unsigned char> held;  // on a solid or corner of a rigid wall
+    std::vector<unsigned char> wet;   // was in a fluid cell before
+    std::vector<int> old;             // index in the moved old mesh, -1 for inserted nodes
+    double dt = 0;                    // length of the step [s]
+    Points<2> inward;                 // of nodes that slide along a wall: its normal into the fluid; else zero
 };
 
 struct Connectivity {
@@ -26,7 +26,7 @@ struct Connectivity {
     double released = 0;   // volume peeled off inside it: wall nodes that were released
     std::vector<Simplex<2>> contacts, stretchedCells, releasedCells;  // the triangles that these are made of
     std::vector<Simplex<2>> gaps;  // triangles of air, no larger than a contact may be, between surfaces or drops
-    std::vector<double> gained;  // contact - stretched - released per node, a third of each triangle
+    std::vector<double> gained;    // contact - stretched - released per node, a third of each triangle
 };
 
 /// Which cells of the moved old mesh, which must outlive it, hold a point.
@@ -37,9 +37,9 @@ struct MovedPlaces {
 };
 
 /// Inside the moved old mesh everything is fluid; from its boundary, triangles with a circumradius above
-/// alphaInside alpha h, slivers and collapsing triangles with a node of their own are peeled off, and a solid's node carried by one triangle is released when the
-/// fluid has come nearer to the other solid node. Outside, a triangle is a new contact and must be small, close
-/// and closing; one that is small alone is a gap.
+/// alphaInside alpha h, slivers and collapsing triangles with a node of their own are peeled off, and a solid's node
+/// carried by one triangle is released when the fluid has come nearer to the other solid node. Outside, a triangle is a
+/// new contact and must be small, close and closing; one that is small alone is a gap.
 Connectivity selectFluid(const RemeshingControls& controls, const Triangulation<2>& triangulation,
                          const CandidateNodes& nodes, const MovedMesh<2>& moved, const MovedPlaces& places);
 

@@ -42,19 +42,20 @@ struct RemeshingControls {
           "triangle would lose half of its area within a step",
           nonNegative);
         v("removeDistance", removeDistance, "-", "distance / h at which an inner node is removed", nonNegative);
-        v("removeDistanceSurface", removeDistanceSurface, "-",
-          "distance / h at which a free-surface node is removed", nonNegative);
+        v("removeDistanceSurface", removeDistanceSurface, "-", "distance / h at which a free-surface node is removed",
+          nonNegative);
         v("removeDistanceFilm", removeDistanceFilm, "-",
-          "distance / h at which a free-surface node is removed that comes near to one across a film with two free sides, or at the "
+          "distance / h at which a free-surface node is removed that comes near to one across a film with two free "
+          "sides, or at the "
           "end of one; not above removeDistanceSurface",
           nonNegative);
         v("removeHeight", removeHeight, "-",
-          "height / h over a face of the free surface below which a node inside the fluid is removed: flat triangles there hold "
+          "height / h over a face of the free surface below which a node inside the fluid is removed: flat triangles "
+          "there hold "
           "up the time step and the iteration",
           nonNegative);
         v("insertDistance", insertDistance, "-", "edge / h above which a node is inserted", positive);
-        v("wallDistance", wallDistance, "-", "distance / h to which a node that entered a solid is returned",
-          positive);
+        v("wallDistance", wallDistance, "-", "distance / h to which a node that entered a solid is returned", positive);
         v("landingDistance", landingDistance, "-",
           "distance / h at which a fluid node that approaches a rigid wall lands on it and slides along", nonNegative);
         v("cornerDistance", cornerDistance, "-",
@@ -64,11 +65,13 @@ struct RemeshingControls {
         v("keepSurface", keepSurface, "-",
           "the moved free surface constrains the triangulation: only contacts and breaks change the volume", any);
         v("surfaceShift", surfaceShift, "-",
-          "distance / h that a free-surface node may shift in a step to make up for volume that was lost or gained around "
+          "distance / h that a free-surface node may shift in a step to make up for volume that was lost or gained "
+          "around "
           "it; 0 = none",
           nonNegative);
         v("letGo", letGo, "-",
-          "a drop goes when it has left the box of walls, solids and the rest of the fluid and can never come back (under a gravity that "
+          "a drop goes when it has left the box of walls, solids and the rest of the fluid and can never come back "
+          "(under a gravity that "
           "stays as it is); its volume is the ledger's cause gone",
           any);
         v("distortion", distortion, "-",

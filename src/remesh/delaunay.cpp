@@ -45,8 +45,7 @@ void insertFixed(Cdt& cdt, const Handles& handle, const std::vector<Face<2>>& fa
         const auto& p = handle[node]->point();
         return fmt::format("({:.6g} {:.6g})", p.x(), p.y());
     };
-    for (const auto& face : faces)
-        try {
+    for (const auto& face : faces) try {
             if (haveEdge(handle, face)) cdt.insert_constraint(handle[face[0]], handle[face[1]]);
         } catch (const Cdt::Intersection_of_constraints_exception&) {
             throw StepFailure("walls and solids cross each other between " + place(face[0]) + " and " + place(face[1]));

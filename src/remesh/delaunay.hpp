@@ -14,18 +14,18 @@ struct Triangulation {
     std::vector<std::array<int, Dim + 1>> neighbours;  // opposite to local node k; -1 outside the hull
 };
 
-/// Constrained Delaunay triangulations of points that move a little from one time to the next. What the last time has left is
-/// mended; the result is that of a triangulation from nothing, to the order of the cells: by their first nodes, the
-/// smallest of each cell, then by the second.
+/// Constrained Delaunay triangulations of points that move a little from one time to the next. What the last time has
+/// left is mended; the result is that of a triangulation from nothing, to the order of the cells: by their first nodes,
+/// the smallest of each cell, then by the second.
 class Triangulator {
 public:
     Triangulator();
     ~Triangulator();
 
-    /// `ids`: what the points are called, ascending; `active`: those that take part, ascending; of points that coincide one
-    /// stands for all, in cells and in faces. `fixed`: faces that must appear (walls, solids). `wished`: faces that appear unless they would
-    /// cross a fixed or an earlier one (free surface).
-    /// Throws StepFailure when fixed faces cross each other.
+    /// `ids`: what the points are called, ascending; `active`: those that take part, ascending; of points that coincide
+    /// one stands for all, in cells and in faces. `fixed`: faces that must appear (walls, solids). `wished`: faces that
+    /// appear unless they would cross a fixed or an earlier one (free surface). Throws StepFailure when fixed faces
+    /// cross each other.
     void follow(const Points<2>& points, const std::vector<Id>& ids, const std::vector<int>& active,
                 const std::vector<Face<2>>& fixed, const std::vector<Face<2>>& wished);
 

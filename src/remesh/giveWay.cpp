@@ -22,17 +22,19 @@ std::vector<int> movableSurface(const Topology<Dim>& topology, const Mesh<Dim>& 
 
 /// a_I = sum_e |e| grad N_I: how the volume of the cells grows when the node moves; on a wall its part along the wall.
 template <int Dim>
-Vec<Dim> outwardArea(const Topology<Dim>& topology, const std::vector<Simplex<Dim>>& cells, const Nodes<Dim>& nodes, int i) {
+Vec<Dim> outwardArea(const Topology<Dim>& topology, const std::vector<Simplex<Dim>>& cells, const Nodes<Dim>& nodes,
+                     int i) {
     Vec<Dim> area = Vec<Dim>::Zero();
     for (int s = topology.fluid.start[i]; s < topology.fluid.start[i + 1]; ++s)
-        area -= faceArea<Dim>(nodes.x, oppositeFace<Dim>(cells[topology.fluid.cell[s]], topology.fluid.corner[s])) / Dim;
+        area -=
+            faceArea<Dim>(nodes.x, oppositeFace<Dim>(cells[topology.fluid.cell[s]], topology.fluid.corner[s])) / Dim;
     if (nodes.wall[i] < 0) return area;
     const Vec<Dim> n = faceArea<Dim>(nodes.x, topology.walls[nodes.wall[i]].nodes).normalized();
     return area - area.dot(n) * n;
 }
 
-/// What each node is to bring: what it lacks, half of it shared with its neighbours along the surface. A zig-zag of the surface
-/// hardly changes the volume of patches; what nodes lack in turns would only make it grow.
+/// What each node is to bring: what it lacks, half of it shared with its neighbours along the surface. A zig-zag of the
+/// surface hardly changes the volume of patches; what nodes lack in turns would only make it grow.
 template <int Dim>
 std::vector<double> sharedAlongSurface(const Topology<Dim>& topology, const std::vector<double>& lost) {
     constexpr double share = 0.25;  // to each of two neighbours (2D): zig-zags vanish
@@ -53,8 +55,8 @@ Vec<Dim> shift(double lost, const Vec<Dim>& area, double limit) {
     return area / size * (std::abs(lost) < limit * size ? lost / size : std::copysign(limit, lost));
 }
 
-/// Put the nodes of cells that would lose more than half of their volume, or become small by it, back to x, until there is
-/// no such cell: one that is squeezed step by step would turn over.
+/// Put the nodes of cells that would lose more than half of their volume, or become small by it, back to x, until there
+/// is no such cell: one that is squeezed step by step would turn over.
 template <int Dim>
 void holdBack(const NodeToCells& around, const std::vector<Simplex<Dim>>& cells, const std::vector<int>& surface,
               const Nodes<Dim>& nodes, Points<Dim>& shifted) {
@@ -90,8 +92,8 @@ void giveWay(const RemeshingControls& controls, const Topology<Dim>& topology, c
     Points<Dim> shifted = nodes.x;
     forEach(static_cast<int>(surface.size()), [&](int k) {
         const int i = surface[k];
-        shifted[i] += shift<Dim>(shared[i], outwardArea<Dim>(topology, cells, nodes, i),
-                                 controls.surfaceShift * nodes.h[i]);
+        shifted[i] +=
+            shift<Dim>(shared[i], outwardArea<Dim>(topology, cells, nodes, i), controls.surfaceShift * nodes.h[i]);
     });
     holdBack<Dim>(topology.fluid, cells, surface, nodes, shifted);
     nodes.x = std::move(shifted);

@@ -9,9 +9,11 @@ namespace pfem {
 
 /// Each node of the free surface moves along a_I = sum_e |e| grad N_I, outwards, until its cells have gained
 /// what it lacks,
-///     dx_I = L_I a_I/|a_I|^2,   |dx_I| <= surfaceShift h,   L = `share` of lost, half of it shared with the neighbours along the surface,
-/// on a wall along the wall. No cell loses more than half of its volume, none becomes small. The cells of `topology` are those of the state;
-/// `returned`: what this step has already given to each node. chargeMotion charges the displacement with the rest of the step's motion.
+///     dx_I = L_I a_I/|a_I|^2,   |dx_I| <= surfaceShift h,   L = `share` of lost, half of it shared with the neighbours
+///     along the surface,
+/// on a wall along the wall. No cell loses more than half of its volume, none becomes small. The cells of `topology`
+/// are those of the state; `returned`: what this step has already given to each node. chargeMotion charges the
+/// displacement with the rest of the step's motion.
 template <int Dim>
 void giveWay(const RemeshingControls& controls, const Topology<Dim>& topology, const std::vector<double>& returned,
              double share, State<Dim>& state);

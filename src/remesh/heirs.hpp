@@ -5,10 +5,11 @@
 
 namespace pfem {
 
-/// The old neighbours of old node i that are still in the fluid, or the node that it has joined as a drop; new indices. `newIndex`: of the old nodes, -1: gone.
+/// The old neighbours of old node i that are still in the fluid, or the node that it has joined as a drop; new indices.
+/// `newIndex`: of the old nodes, -1: gone.
 template <int Dim>
-std::vector<int> heirsOf(const MovedMesh<Dim>& moved, const std::vector<int>& newIndex, const std::vector<unsigned char>& wet,
-                         int i) {
+std::vector<int> heirsOf(const MovedMesh<Dim>& moved, const std::vector<int>& newIndex,
+                         const std::vector<unsigned char>& wet, int i) {
     std::vector<int> heirs;
     const auto& ring = moved.topology.ring;
     if (!moved.joins.empty() && moved.joins[i] >= 0) {

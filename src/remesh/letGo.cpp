@@ -17,9 +17,7 @@ struct Box {
     }
     double size() const { return (high - low).norm(); }
     /// How far x is beyond the end in a direction of axis d, `sign` 1 or -1; negative: before it.
-    double beyond(const Vec<Dim>& x, int d, int sign) const {
-        return sign > 0 ? x[d] - high[d] : low[d] - x[d];
-    }
+    double beyond(const Vec<Dim>& x, int d, int sign) const { return sign > 0 ? x[d] - high[d] : low[d] - x[d]; }
 };
 
 }  // namespace
@@ -45,8 +43,8 @@ std::vector<int> goneForGood(const Topology<Dim>& topology, const Vec<Dim>& grav
         const double away = moving ? places.size() : 2 * nodes.h[i];
         for (int d = 0; d < Dim; ++d)
             for (const int sign : {-1, 1})
-                if (places.beyond(nodes.x[i], d, sign) > away &&
-                    velocities.beyond(nodes.v[i], d, sign) >= 0 && sign * gravity[d] >= 0)
+                if (places.beyond(nodes.x[i], d, sign) > away && velocities.beyond(nodes.v[i], d, sign) >= 0 &&
+                    sign * gravity[d] >= 0)
                     return true;
         return false;
     };

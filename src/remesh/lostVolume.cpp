@@ -12,8 +12,8 @@ namespace {
 
 /// What nodes that went and places on walls and solids that fell dry lack, to their old neighbours. Returns
 /// what found no heir.
-double handOver(const MovedMesh<2>& moved, const std::vector<int>& newIndex,
-                const std::vector<unsigned char>& wet, std::vector<double>& lost) {
+double handOver(const MovedMesh<2>& moved, const std::vector<int>& newIndex, const std::vector<unsigned char>& wet,
+                std::vector<double>& lost) {
     double orphaned = 0;
     for (int i = 0; i < moved.topology.nNodes(); ++i) {
         const int node = newIndex[i];
@@ -48,8 +48,7 @@ std::vector<int> lastingSurface(const MovedMesh<2>& moved, const std::vector<int
                                 const std::vector<unsigned char>& wet) {
     std::vector<int> surface;
     for (int i = 0; i < moved.topology.nNodes(); ++i)
-        if (moved.topology.freeSurface[i] && newIndex[i] >= 0 && wet[newIndex[i]])
-            surface.push_back(newIndex[i]);
+        if (moved.topology.freeSurface[i] && newIndex[i] >= 0 && wet[newIndex[i]]) surface.push_back(newIndex[i]);
     return surface;
 }
 
@@ -127,7 +126,6 @@ std::vector<double> reshapedShares(const MovedMesh<2>& moved, const NodePlan<2>&
     return shares;
 }
 
-template void chargeMotion<2>(const NodeToCells&, const std::vector<Simplex<2>>&, const Points<2>&,
-                              Nodes<2>&);
+template void chargeMotion<2>(const NodeToCells&, const std::vector<Simplex<2>>&, const Points<2>&, Nodes<2>&);
 
 }  // namespace pfem

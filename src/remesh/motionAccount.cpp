@@ -7,7 +7,8 @@
 namespace pfem {
 
 template <int Dim>
-MotionAccount<Dim>::MotionAccount(const State<Dim>& state) : volume_(cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes)) {
+MotionAccount<Dim>::MotionAccount(const State<Dim>& state)
+    : volume_(cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes)) {
     if (!state.appeared.empty()) x_ = state.nodes.x;
 }
 
@@ -19,7 +20,8 @@ void MotionAccount<Dim>::book(const std::string& cause, State<Dim>& state) {
 template <int Dim>
 void MotionAccount<Dim>::bookSolver(const std::vector<double>& returned, const std::vector<double>& compressed,
                                     State<Dim>& state) {
-    const double correction = bookPart("correction", returned, state), compression = bookPart("compression", compressed, state);
+    const double correction = bookPart("correction", returned, state),
+                 compression = bookPart("compression", compressed, state);
     state.ledger["solver"] += change("solver", state) - correction - compression;
 }
 

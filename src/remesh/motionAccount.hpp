@@ -5,8 +5,8 @@
 
 namespace pfem {
 
-/// Motions that follow each other with the same cells: the cells are summed once after each. In the fields (State::appeared)
-/// each patch Omega_I = sum_e |e|/(d+1) is charged with its change.
+/// Motions that follow each other with the same cells: the cells are summed once after each. In the fields
+/// (State::appeared) each patch Omega_I = sum_e |e|/(d+1) is charged with its change.
 template <int Dim>
 class MotionAccount {
 public:
@@ -15,8 +15,8 @@ public:
     /// What has changed since the last call (or the start).
     void book(const std::string& cause, State<Dim>& state);
 
-    /// The same of the solver. Parts of it, per node, belong to causes of their own: `returned` to `correction`, `compressed` to
-    /// `compression`.
+    /// The same of the solver. Parts of it, per node, belong to causes of their own: `returned` to `correction`,
+    /// `compressed` to `compression`.
     void bookSolver(const std::vector<double>& returned, const std::vector<double>& compressed, State<Dim>& state);
 
 private:

@@ -15,7 +15,7 @@ struct MovedMesh {
     std::vector<double> dropVolume;  // as Nodes::dropVolume
     std::vector<double> lostVolume;  // as Nodes::lostVolume
     std::vector<double> gone;        // what drops carry that are let go now; not in dropVolume
-    std::vector<int> joins;          // the node that a drop is going to be part of, -1: none (joinDrops.hpp); empty: nobody
+    std::vector<int> joins;  // the node that a drop is going to be part of, -1: none (joinDrops.hpp); empty: nobody
     std::vector<Simplex<Dim>> fluid;
     std::vector<Simplex<Dim>> solid;
     Topology<Dim> topology;

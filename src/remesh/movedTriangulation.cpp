@@ -59,7 +59,8 @@ void findDents(const Cdt& cdt, std::vector<int>& obstacles) {
         ++after;
         const auto &a = before->info().next, &b = corner->info().next, &c = after->info().next;
         const auto turn = CGAL::orientation(a, b, c);  // the hull is met clockwise
-        if (turn == CGAL::LEFT_TURN || (turn == CGAL::COLLINEAR && !CGAL::collinear_are_strictly_ordered_along_line(a, b, c)))
+        if (turn == CGAL::LEFT_TURN ||
+            (turn == CGAL::COLLINEAR && !CGAL::collinear_are_strictly_ordered_along_line(a, b, c)))
             obstacles.push_back(corner->info().index);
     } while (++corner != done);
 }
@@ -78,7 +79,8 @@ void MovedTriangulation::insert(const Points<2>& points, int index, Cdt::Face_ha
     const auto before = cdt.number_of_vertices();
     handle[index] = cdt.insert(site(points[index]), hint);
     int& stands = handle[index]->info().index;
-    const bool isTwin = cdt.number_of_vertices() == before;  // coincides with another point: the first one stands for both
+    const bool isTwin =
+        cdt.number_of_vertices() == before;  // coincides with another point: the first one stands for both
     hasTwins_ |= isTwin;
     stands = isTwin ? std::min(stands, index) : index;
 }

@@ -79,7 +79,8 @@ private:
         for (const auto& face : t.faces) {
             if (face.kind != FaceKind::freeSurface) continue;
             const auto& cell = moved_.fluid[face.cell];
-            const double volume = Dim * simplexMeasure<Dim>(moved_.x, cell), area = faceArea<Dim>(moved_.x, face.nodes).norm();
+            const double volume = Dim * simplexMeasure<Dim>(moved_.x, cell),
+                         area = faceArea<Dim>(moved_.x, face.nodes).norm();
             for (int i : cell)
                 under[i] |= !t.freeSurface[i] && !t.onWall[i] && volume < controls_.removeHeight * h_[i] * area;
         }
@@ -105,16 +106,20 @@ private:
             // and the contact line to none that is under water: that one can go without a change of volume
             if (slides && moved_.topology.freeSurface[i] && !moved_.topology.freeSurface[j] && !kept_[j]) continue;
             const double distance = distanceTo(j, moved_.x[i], h_[i]);
-            if (distance < closest_ && distance < distanceFrom(j, surface, inFilm || !isBoundaryEdge(i, j))) return true;
+            if (distance < closest_ && distance < distanceFrom(j, surface, inFilm || !isBoundaryEdge(i, j)))
+                return true;
         }
         return false;
     }
 
     /// From node j to a node at x of mesh size h, in units of their mean mesh size.
-    double distanceTo(int j, const Vec<Dim>& x, double h) const { return (moved_.x[j] - x).norm() / (0.5 * (h_[j] + h)); }
+    double distanceTo(int j, const Vec<Dim>& x, double h) const {
+        return (moved_.x[j] - x).norm() / (0.5 * (h_[j] + h));
+    }
 
-    /// How near to j a node may come: one of the surface gives way to nodes of the boundary alone, and to those across a
-    /// film with two free sides, or at the end of one, only when it is as thin as removeDistanceFilm h. Else it would go with them.
+    /// How near to j a node may come: one of the surface gives way to nodes of the boundary alone, and to those across
+    /// a film with two free sides, or at the end of one, only when it is as thin as removeDistanceFilm h. Else it would
+    /// go with them.
     double distanceFrom(int j, bool surface, bool film) const {
         if (!surface) return controls_.removeDistance;
         if (film && moved_.topology.freeSurface[j] && !kept_[j])
@@ -123,7 +128,8 @@ private:
         return boundary ? controls_.removeDistanceSurface : 0;
     }
 
-    /// A node of the surface with neighbours of the surface alone: the fluid is one cell thick there (or the node an ear).
+    /// A node of the surface with neighbours of the surface alone: the fluid is one cell thick there (or the node an
+    /// ear).
     bool isInFilm(int i) const {
         const auto& free = moved_.topology.freeSurface;
         return free[i] && std::all_of(ring_.node.begin() + ring_.start[i], ring_.node.begin() + ring_.start[i + 1],
@@ -143,7 +149,8 @@ private:
             }
     }
 
-    /// Would the midpoint be too close to a node opposite to the edge? Then the next remeshing would remove one of them.
+    /// Would the midpoint be too close to a node opposite to the edge? Then the next remeshing would remove one of
+    /// them.
     bool wouldGoAgain(int i, int j) const {
         const bool surface = isBoundaryEdge(i, j);
         const Vec<Dim> middle = 0.5 * (moved_.x[i] + moved_.x[j]);
@@ -219,8 +226,8 @@ private:
 }  // namespace
 
 template <int Dim>
-NodePlan<Dim> planNodes(const RemeshingControls& controls, const MovedMesh<Dim>& moved,
-                        const std::vector<double>& h, const std::vector<unsigned char>& kept) {
+NodePlan<Dim> planNodes(const RemeshingControls& controls, const MovedMesh<Dim>& moved, const std::vector<double>& h,
+                        const std::vector<unsigned char>& kept) {
     return Planner<Dim>(controls, moved, h, kept).plan();
 }
 

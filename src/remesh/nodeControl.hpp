@@ -9,7 +9,7 @@ namespace pfem {
 /// Plan of one remeshing, in old node indices.
 template <int Dim>
 struct NodePlan {
-    std::vector<unsigned char> removed;       // per old node
+    std::vector<unsigned char> removed;        // per old node
     std::vector<std::array<int, 2>> inserted;  // edges that get a node at their midpoint
     /// Free-surface faces after removal and insertion: old index i, or nOld + k for inserted node k.
     std::vector<Face<Dim>> surface;
@@ -17,11 +17,12 @@ struct NodePlan {
 };
 
 /// Inner fluid nodes nearer than removeDistance h to a neighbour go (free-surface and wall nodes:
-/// removeDistanceSurface, only when the neighbour is of the boundary, too; across a film: removeDistanceFilm); edges longer than insertDistance h are
-/// halved. A node that slides into a concave corner of the walls goes, and an inner one lower than removeHeight h over a face of the
-/// free surface. At most one change per patch. Corners of walls and nodes of solids and other patches stay.
+/// removeDistanceSurface, only when the neighbour is of the boundary, too; across a film: removeDistanceFilm); edges
+/// longer than insertDistance h are halved. A node that slides into a concave corner of the walls goes, and an inner
+/// one lower than removeHeight h over a face of the free surface. At most one change per patch. Corners of walls and
+/// nodes of solids and other patches stay.
 template <int Dim>
-NodePlan<Dim> planNodes(const RemeshingControls& controls, const MovedMesh<Dim>& moved,
-                        const std::vector<double>& h, const std::vector<unsigned char>& kept);
+NodePlan<Dim> planNodes(const RemeshingControls& controls, const MovedMesh<Dim>& moved, const std::vector<double>& h,
+                        const std::vector<unsigned char>& kept);
 
 }  // namespace pfem

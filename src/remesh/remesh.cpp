@@ -172,10 +172,10 @@ void clearDryPressure(State<2>& state) {
 
 bool isDistorted(double distortion, const Points<2>& x, const std::vector<Simplex<2>>& fluid) {
     return distortion == 0 || std::any_of(fluid.begin(), fluid.end(), [&](const Simplex<2>& s) {
-        double squares = 0;
-        for (int k = 0; k < 3; ++k) squares += faceArea<2>(x, oppositeFace<2>(s, k)).squaredNorm();
-        return 4 * std::sqrt(3.0) * simplexMeasure<2>(x, s) < distortion * squares;
-    });
+               double squares = 0;
+               for (int k = 0; k < 3; ++k) squares += faceArea<2>(x, oppositeFace<2>(s, k)).squaredNorm();
+               return 4 * std::sqrt(3.0) * simplexMeasure<2>(x, s) < distortion * squares;
+           });
 }
 
 template <int Dim>
@@ -204,7 +204,8 @@ RemeshReport<Dim> remesh(const RemeshingControls& controls, const std::vector<Pa
             candidates = candidateNodes(state, moved, newIndex, dt);
             places.emplace(moved);
         });
-    const auto selected = selectFluid(controls, triangulator.triangulation(state.nodes.size()), candidates, moved, *places);
+    const auto selected =
+        selectFluid(controls, triangulator.triangulation(state.nodes.size()), candidates, moved, *places);
     state.mesh.fluid.nodes = selected.fluid;
     state.mesh.fluid.material.assign(selected.fluid.size(), material);
 
@@ -229,7 +230,7 @@ RemeshReport<Dim> remesh(const RemeshingControls& controls, const std::vector<Pa
     return report;
 }
 
-template RemeshReport<2> remesh<2>(const RemeshingControls&, const std::vector<PatchKind>&, Topology<2>, double, Triangulator&,
-                                   State<2>&, const std::vector<int>&);
+template RemeshReport<2> remesh<2>(const RemeshingControls&, const std::vector<PatchKind>&, Topology<2>, double,
+                                   Triangulator&, State<2>&, const std::vector<int>&);
 
 }  // namespace pfem

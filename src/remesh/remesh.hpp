@@ -23,9 +23,11 @@ struct RemeshReport : NodeChanges {
 };
 
 /// Remove and insert nodes, triangulate with walls, solids and the free surface as constraints, select the fluid.
-/// `topology`: of the state's mesh; `dt`: length of the step that moved it; `triangulator`: has the last triangulation, or none. The volume's change by cause is added to state.ledger: "contact" (triangles accepted outside the moved old
+/// `topology`: of the state's mesh; `dt`: length of the step that moved it; `triangulator`: has the last triangulation,
+/// or none. The volume's change by cause is added to state.ledger: "contact" (triangles accepted outside the moved old
 /// mesh), "stretched" and "released" (peeled off inside it), "reshaped" (partly covered triangles, removed
-/// surface nodes, overlaps), "isolated" (carried by particles without triangles), "gone" (with drops that are let go: `gone`).
+/// surface nodes, overlaps), "isolated" (carried by particles without triangles), "gone" (with drops that are let go:
+/// `gone`).
 template <int Dim>
 RemeshReport<Dim> remesh(const RemeshingControls& controls, const std::vector<PatchKind>& kinds, Topology<Dim> topology,
                          double dt, Triangulator& triangulator, State<Dim>& state, const std::vector<int>& gone = {});

@@ -54,9 +54,11 @@ struct Landing {
     int wall = -1;
 };
 
-/// The landing of a node on its way from xOld to x on a wall, `line` now and before: it has crossed the wall or is within distance h of it. What is part
-/// of the fluid is put on the wall where it is; a drop, whose way may be many h long, where it has crossed it.
-Landing landingOn(const std::array<Line, 2>& line, const Vec<2>& xOld, const Vec<2>& x, double h, double distance, bool drop) {
+/// The landing of a node on its way from xOld to x on a wall, `line` now and before: it has crossed the wall or is
+/// within distance h of it. What is part of the fluid is put on the wall where it is; a drop, whose way may be many h
+/// long, where it has crossed it.
+Landing landingOn(const std::array<Line, 2>& line, const Vec<2>& xOld, const Vec<2>& x, double h, double distance,
+                  bool drop) {
     const double after = line[0].distance(x), before = line[1].distance(xOld);
     if (after > distance * h || before < -1e-9 * h || after >= before) return {};  // far, was behind, or leaves
     Landing landing;
@@ -75,7 +77,8 @@ public:
     }
 
     /// Where on face w a node stops that was at xOld and has come to s.
-    double stop(const Topology<2>& topology, int w, const Points<2>& xOld, const Nodes<2>& nodes, int i, double s) const {
+    double stop(const Topology<2>& topology, int w, const Points<2>& xOld, const Nodes<2>& nodes, int i,
+                double s) const {
         for (int foot : feet_) {
             if (nodes.wall[foot] != w) continue;
             const Line now(nodes.x, topology.walls[w].nodes), before(xOld, topology.walls[w].nodes);
@@ -151,9 +154,9 @@ void releaseFromWalls<2>(const RemeshingControls& controls, const Topology<2>& t
         const Line line(nodes.x, face);
         const Vec<2> slip = nodes.v[i] - line.between(line.along(nodes.x[i]), nodes.v, face);
         const double rate = slip.norm() / nodes.h[i];
-        const double scale =
-            fluid.rho * (gravity.norm() * nodes.h[i] + 0.5 * slip.squaredNorm() + unseenPart * std::pow(nodes.h[i] / dt, 2)) +
-            viscosity(fluid, rate) * rate;
+        const double scale = fluid.rho * (gravity.norm() * nodes.h[i] + 0.5 * slip.squaredNorm() +
+                                          unseenPart * std::pow(nodes.h[i] / dt, 2)) +
+                             viscosity(fluid, rate) * rate;
         const bool pulledOff =  // the wall's acceleration is the normal part of a
             topology.isolated(i) && (gravity - nodes.a[i]).dot(line.inward) > 1e-9 * gravity.norm();
         if (!pulledOff && !(topology.freeSurface[i] && -nodes.p[i] > controls.wallTension * scale)) continue;

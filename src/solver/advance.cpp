@@ -22,9 +22,7 @@ namespace pfem {
 
 namespace {
 
-double now() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 /// Divergence that brings the volume back to its first value within `time`, but no faster than within the step.
 template <int Dim>
@@ -39,7 +37,8 @@ double volumeCorrection(const State<Dim>& state, double time, double dt) {
 
 /// What a step is asked to give to each node's patch: a share of what the node lacks, and of the patch's volume.
 template <int Dim>
-std::vector<double> returnedVolume(const Topology<Dim>& topology, const State<Dim>& state, double ofLost, double ofPatch) {
+std::vector<double> returnedVolume(const Topology<Dim>& topology, const State<Dim>& state, double ofLost,
+                                   double ofPatch) {
     const auto& nodes = state.nodes;
     std::vector<double> returned(nodes.size(), 0.0);
     for (int i = 0; i < nodes.size(); ++i)
@@ -52,8 +51,8 @@ std::vector<double> returnedVolume(const Topology<Dim>& topology, const State<Di
 
 /// Constraints between two times [s] counted from the state's.
 template <int Dim>
-NodeConstraints<Dim> constraintsOver(double from, double to, const Problem<Dim>& problem,
-                                     const State<Dim>& state, const Topology<Dim>& topology) {
+NodeConstraints<Dim> constraintsOver(double from, double to, const Problem<Dim>& problem, const State<Dim>& state,
+                                     const Topology<Dim>& topology) {
     const double now = state.time.value;
     return nodeConstraints<Dim>(state.mesh, problem.conditions, topology, state.nodes, now + from, now + to);
 }
@@ -82,8 +81,8 @@ Topology<Dim> beginStep(const Problem<Dim>& problem, double dt, State<Dim>& stat
     return topology;
 }
 
-/// Part of the lost volume for which the surface gives way in a step: all of it, but in steps of several periods of the shortest waves,
-/// where it would come back in turns (doc/decisions.md).
+/// Part of the lost volume for which the surface gives way in a step: all of it, but in steps of several periods of the
+/// shortest waves, where it would come back in turns (doc/decisions.md).
 template <int Dim>
 double surfaceShare(const Problem<Dim>& problem, double dt, const Nodes<Dim>& nodes) {
     double h = std::numeric_limits<double>::max();
@@ -126,14 +125,17 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
 
     MotionAccount<Dim> account(state);
     const double divTarget = volumeCorrection<Dim>(state, controls.continuity.volumeCorrectionTime, report.dt);
-    const auto problemWithin = problemAt<Dim>(last.time.value + controls.timeIntegration.gamma * report.dt, problemOfRun);
-    auto result = fsiStep<Dim>(problemWithin, controls, state.mesh, topology, constraints, state.nodes, report.dt, divTarget);
+    const auto problemWithin =
+        problemAt<Dim>(last.time.value + controls.timeIntegration.gamma * report.dt, problemOfRun);
+    auto result =
+        fsiStep<Dim>(problemWithin, controls, state.mesh, topology, constraints, state.nodes, report.dt, divTarget);
     report.step = result.report;
     const std::vector<int> wallsOld = state.nodes.wall;
     const auto returned = returnedVolume<Dim>(
         topology, state, report.dt * volumeReturnRate(controls.continuity, report.dt), report.dt * divTarget);
     state.energy["volume"] += volumeEnergy<Dim>(problem, state.mesh.fluid, state.nodes, result.nodes, returned);
-    const auto compressed = compressedVolume<Dim>(problem, state.mesh.fluid, topology.fluid, result.nodes, state.nodes.p);
+    const auto compressed =
+        compressedVolume<Dim>(problem, state.mesh.fluid, topology.fluid, result.nodes, state.nodes.p);
     const Points<Dim> xOld = std::move(state.nodes.x);
     state.nodes = std::move(result.nodes);
     state.mesh.solid.sigma = std::move(result.cellSigma);
@@ -159,11 +161,10 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
         chargeMotion<Dim>(topology.fluid, cells, xOld, state.nodes);
         const bool wallsChanged = wallsOld != state.nodes.wall || report.returned > 0;
         if (wallsChanged || isDistorted(controls.remeshing.distortion, state.nodes.x, cells)) {
-            const auto remeshed = remesh<Dim>(controls.remeshing, kinds,
-                                              wallsOld == state.nodes.wall
-                                                  ? topology
-                                                  : withWalls<Dim>(state.mesh, kinds, state.nodes.wall, topology),
-                                              report.dt, triangulator, state, leavers<Dim>(problem, controls.remeshing, topology, state));
+            const auto remeshed = remesh<Dim>(
+                controls.remeshing, kinds,
+                wallsOld == state.nodes.wall ? topology : withWalls<Dim>(state.mesh, kinds, state.nodes.wall, topology),
+                report.dt, triangulator, state, leavers<Dim>(problem, controls.remeshing, topology, state));
             const double met = closingRate<Dim>(state.nodes, remeshed.contacts, controls.remeshing.contactHeight);
             strike<Dim>(problem, remeshed.contacts, state);
             state.approach = std::max(met, closingRate<Dim>(state.nodes, remeshed.gaps, 0));
@@ -186,8 +187,8 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
 }  // namespace
 
 template <int Dim>
-AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Triangulator& triangulator, State<Dim>& last,
-                      double dt) {
+AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Triangulator& triangulator,
+                      State<Dim>& last, double dt) {
     AdvanceReport report;
     const auto& limits = controls.convergence;
     checkSpeed<Dim>(limits, last.nodes);
@@ -207,15 +208,13 @@ AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Tri
 template <int Dim>
 void startConsistently(const Problem<Dim>& problem, const Controls& controls, State<Dim>& state, double dt) {
     const auto topology = beginStep<Dim>(problem, dt, state);
-    const auto over = [&](double from, double to) {
-        return constraintsOver<Dim>(from, to, problem, state, topology);
-    };
+    const auto over = [&](double from, double to) { return constraintsOver<Dim>(from, to, problem, state, topology); };
     state.nodes = consistentStart<Dim>(problemAt<Dim>(state.time.value, problem), controls, state.mesh, topology, over,
                                        state.nodes, 1e-3 * dt);
 }
 
 #define PFEM_INSTANTIATE(D)                                                                                  \
-    template AdvanceReport advance<D>(const Problem<D>&, const Controls&, Triangulator&, State<D>&, double);                \
+    template AdvanceReport advance<D>(const Problem<D>&, const Controls&, Triangulator&, State<D>&, double); \
     template void startConsistently<D>(const Problem<D>&, const Controls&, State<D>&, double);
 PFEM_INSTANTIATE(2)
 

@@ -9,9 +9,9 @@ namespace pfem {
 struct AdvanceReport {
     StepReport step;
     NodeChanges mesh;
-    double dt = 0;      // the step that was accepted [s]
-    int rejected = 0;   // tries that were not
-    int returned = 0;   // nodes put back out of solids
+    double dt = 0;                     // the step that was accepted [s]
+    int rejected = 0;                  // tries that were not
+    int returned = 0;                  // nodes put back out of solids
     std::vector<std::string> reasons;  // of the rejections
     double seconds[2] = {0, 0};        // wall time of the step and of the remeshing
 };
@@ -21,8 +21,8 @@ struct AdvanceReport {
 /// (or another StepFailure) after maxHalvings or below deltaTMin; the state is then the last good one.
 /// `triangulator`: keeps the triangulation for the next step, which gives the same as one from nothing.
 template <int Dim>
-AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Triangulator& triangulator, State<Dim>& state,
-                      double dt);
+AdvanceReport advance(const Problem<Dim>& problem, const Controls& controls, Triangulator& triangulator,
+                      State<Dim>& state, double dt);
 
 /// The same with every triangulation from nothing.
 template <int Dim>

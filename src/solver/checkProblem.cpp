@@ -79,10 +79,9 @@ void checkMotions(const Dictionary& dict, const BoundaryConditions<Dim>& conditi
                 if (motionText(dict.subDict(name)) == motionText(dict.subDict(otherName))) continue;
                 const std::string& moving = conditions.motion[k] ? name : otherName;
                 dict.subDict(moving).fatal(
-                    "motion",
-                    "'" + name + "' and '" + otherName +
-                        "' have a common corner but do not move alike. A wall that leaves other walls needs "
-                        "the entry 'moving true;' in system/meshDict; then run pfemMesh again");
+                    "motion", "'" + name + "' and '" + otherName +
+                                  "' have a common corner but do not move alike. A wall that leaves other walls needs "
+                                  "the entry 'moving true;' in system/meshDict; then run pfemMesh again");
             }
     }
 }
@@ -120,17 +119,19 @@ void checkConditions(const Dictionary& dict, const BoundaryConditions<Dim>& cond
 template <int Dim>
 void checkState(const std::filesystem::path& folder, const State<Dim>& state) {
     const auto fail = [&](const char* file, const std::string& reason) {
-        throw UserError(fmt::format("cannot go on from \"{}\": {}", folder.string(), reason), {(folder / file).string(), 0});
+        throw UserError(fmt::format("cannot go on from \"{}\": {}", folder.string(), reason),
+                        {(folder / file).string(), 0});
     };
     if (const std::string name = readUniformTime(folder).name; !name.empty() && name != folder.filename().string())
         fail("uniform/time", fmt::format("entry 'name' says that this is the time {}; was the folder renamed?", name));
     const auto& nodes = state.nodes;
     for (int i = 0; i < nodes.size(); ++i)
-        if (!(nodes.h[i] > 0)) fail("fluid.vtu", fmt::format("array 'h': node {} has the mesh size {}", nodes.id[i], nodes.h[i]));
+        if (!(nodes.h[i] > 0))
+            fail("fluid.vtu", fmt::format("array 'h': node {} has the mesh size {}", nodes.id[i], nodes.h[i]));
     for (const auto& cell : state.mesh.solid.nodes)
         if (!(simplexMeasure<Dim>(nodes.x, cell) > 0))
-            fail("solid.vtu", fmt::format("array 'Points': the element with the nodes {} {} {} is inverted", nodes.id[cell[0]],
-                                          nodes.id[cell[1]], nodes.id[cell[2]]));
+            fail("solid.vtu", fmt::format("array 'Points': the element with the nodes {} {} {} is inverted",
+                                          nodes.id[cell[0]], nodes.id[cell[1]], nodes.id[cell[2]]));
 }
 
 template <int Dim>
@@ -150,8 +151,10 @@ std::vector<std::string> doubts(const Dictionary& materials, const Dictionary& g
         high = i == 0 ? state.nodes.x[i] : Vec<Dim>(high.cwiseMax(state.nodes.x[i]));
     }
     for (const auto& traction : problem.conditions.traction) driven = driven || traction.norm() > 0;
-    for (const auto& [entry, value] : flatEntries(conditions)) driven = driven || entry.find(".motion") != std::string::npos;
-    if (!driven) doubt(gravity, "value", "nothing will move: gravity and all velocities are zero, and there is no load");
+    for (const auto& [entry, value] : flatEntries(conditions))
+        driven = driven || entry.find(".motion") != std::string::npos;
+    if (!driven)
+        doubt(gravity, "value", "nothing will move: gravity and all velocities are zero, and there is no load");
     double heaviest = 0;
     for (const auto& material : problem.materials)
         heaviest = std::max(heaviest, material.kind == MaterialKind::fluid ? material.fluid.rho : material.solid.rho);
@@ -162,12 +165,14 @@ std::vector<std::string> doubts(const Dictionary& materials, const Dictionary& g
         const double depth = (high - low).norm();
         if (material.kind == MaterialKind::fluid && !inMetres && !materials.subDict(material.name).found("kappa"))
             doubt(materials.subDict(material.name), "rho",
-                  fmt::format("not in kg/m3, it seems, and without an entry 'kappa' the bulk modulus is {:g}, that of water in Pa: "
+                  fmt::format("not in kg/m3, it seems, and without an entry 'kappa' the bulk modulus is {:g}, that of "
+                              "water in Pa: "
                               "give it in the units of the case",
                               material.fluid.kappa));
         if (material.kind == MaterialKind::fluid && material.fluid.rho * g * depth > 0.1 * material.fluid.kappa)
             doubt(materials.subDict(material.name), "kappa",
-                  fmt::format("under its own weight ({:.3g} m deep) this fluid loses more than a tenth of its volume", depth));
+                  fmt::format("under its own weight ({:.3g} m deep) this fluid loses more than a tenth of its volume",
+                              depth));
         if (material.kind == MaterialKind::solid && material.solid.rho * g * depth > 10 * material.solid.E)
             doubt(materials.subDict(material.name), "E", "this solid is crushed by its own weight");
     }
@@ -181,12 +186,14 @@ void checkLaws(const Problem<Dim>& problem, const SolidControls& controls, const
         if (law == nullptr) continue;
         if (law->isTotal() && controls.formulation == "velocityPressure")
             pfemSolution.subDictOrEmpty("solid").fatal(
-                "formulation", fmt::format("the law of material '{}' gives its stress whole: it needs the formulation velocity",
-                                           material.name));
+                "formulation",
+                fmt::format("the law of material '{}' gives its stress whole: it needs the formulation velocity",
+                            material.name));
         const std::string needed = law->isTotal() ? "neoHookean" : "rotatedMidpoint";
         if (controls.stressUpdate != needed)
             pfemSolution.subDictOrEmpty("solid").fatal(
-                "stressUpdate", fmt::format("the law of material '{}' needs the stressUpdate {}", material.name, needed));
+                "stressUpdate",
+                fmt::format("the law of material '{}' needs the stressUpdate {}", material.name, needed));
     }
 }
 

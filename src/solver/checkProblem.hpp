@@ -21,8 +21,8 @@ void checkOneFluid(const Dictionary& materials, const Mesh<Dim>& mesh);
 template <int Dim>
 void checkConditions(const Dictionary& dict, const BoundaryConditions<Dim>& conditions, const State<Dim>& state);
 
-/// Throws UserError naming `folder` when the state, whose numbers are finite, cannot be gone on from: a node without mesh
-/// size, a solid's element without volume, a folder that was renamed.
+/// Throws UserError naming `folder` when the state, whose numbers are finite, cannot be gone on from: a node without
+/// mesh size, a solid's element without volume, a folder that was renamed.
 template <int Dim>
 void checkState(const std::filesystem::path& folder, const State<Dim>& state);
 

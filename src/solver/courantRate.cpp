@@ -60,7 +60,7 @@ CourantRate courantRate(const State<Dim>& state) {
     return rate;
 }
 
-#define PFEM_INSTANTIATE(D)                              \
+#define PFEM_INSTANTIATE(D)                               \
     template CourantRate courantRate<D>(const State<D>&); \
     template double closingRate<D>(const Nodes<D>&, const std::vector<Simplex<D>>&, double);
 PFEM_INSTANTIATE(2)

@@ -7,10 +7,11 @@ namespace pfem {
 
 /// Rates which times dt are Courant numbers [1/s].
 struct CourantRate {
-    double largest = 0, mean = 0;  // |v|/h of all nodes but drops in free flight; those that are faster than the rest count in the
-                                   // largest by what they are going to strike (solver/flight.hpp)
+    double largest = 0, mean = 0;  // |v|/h of all nodes but drops in free flight; those that are faster than the rest
+                                   // count in the largest by what they are going to strike (solver/flight.hpp)
     double relative = 0;           // largest |v_I - v_J|/h of neighbours in the fluid: how fast triangles change
-    double compression = 0;        // largest -div v of a fluid triangle, and between surfaces that are about to meet or have just met
+    double compression =
+        0;  // largest -div v of a fluid triangle, and between surfaces that are about to meet or have just met
 };
 template <int Dim>
 CourantRate courantRate(const State<Dim>& state);

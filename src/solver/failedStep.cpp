@@ -39,9 +39,8 @@ bool mend(Nodes<Dim>& nodes, int i, const Nodes<Dim>& last) {
 
 template <int Dim>
 void flagFastest(const Nodes<Dim>& nodes, std::vector<unsigned char>& failed) {
-    const auto fastest = std::max_element(nodes.v.begin(), nodes.v.end(), [](const auto& a, const auto& b) {
-        return a.squaredNorm() < b.squaredNorm();
-    });
+    const auto fastest = std::max_element(
+        nodes.v.begin(), nodes.v.end(), [](const auto& a, const auto& b) { return a.squaredNorm() < b.squaredNorm(); });
     if (fastest != nodes.v.end()) failed[fastest - nodes.v.begin()] = 1;
 }
 
@@ -85,8 +84,7 @@ Inspection<Dim> inspect(const FailedStep<Dim>& failure, const State<Dim>& last) 
         const auto found = std::lower_bound(nodes.id.begin(), nodes.id.end(), id);
         if (found != nodes.id.end() && *found == id) result.failed[found - nodes.id.begin()] = 1;
     }
-    if (std::count(result.failed.begin(), result.failed.end(), 0) == nodes.size())
-        flagFastest(nodes, result.failed);
+    if (std::count(result.failed.begin(), result.failed.end(), 0) == nodes.size()) flagFastest(nodes, result.failed);
 
     state.time = last.time;
     state.nextId = std::max(last.nextId, nodes.id.empty() ? 0 : nodes.id.back() + 1);

@@ -63,8 +63,8 @@ void takeMiddle(const Newmark& newmark, const Nodes<Dim>& old, const Nodes<Dim>&
     });
 }
 
-/// rho g, with which the pressure of a node that is moved within the iteration changes when it keeps its depth; zero in steps that are short
-/// beside sqrt(h/g), where nothing moves far and a fall needs no pressure [Pa/m].
+/// rho g, with which the pressure of a node that is moved within the iteration changes when it keeps its depth; zero in
+/// steps that are short beside sqrt(h/g), where nothing moves far and a fall needs no pressure [Pa/m].
 template <int Dim>
 Vec<Dim> depthGradient(const Problem<Dim>& problem, const Nodes<Dim>& nodes, double dt) {
     const auto fluid = std::find_if(problem.materials.begin(), problem.materials.end(),
@@ -76,7 +76,8 @@ Vec<Dim> depthGradient(const Problem<Dim>& problem, const Nodes<Dim>& nodes, dou
 
 /// p + gradient . x of the wet nodes; others keep p.
 template <int Dim>
-std::vector<double> withDepth(const Vec<Dim>& gradient, const Topology<Dim>& topology, const Points<Dim>& x, std::vector<double> p) {
+std::vector<double> withDepth(const Vec<Dim>& gradient, const Topology<Dim>& topology, const Points<Dim>& x,
+                              std::vector<double> p) {
     forEach(topology.nNodes(), [&](int i) {
         if (topology.wet(i)) p[i] += gradient.dot(x[i]);
     });
@@ -114,25 +115,25 @@ StepFailure notConverged(const StepReport& report, const std::vector<double>& dp
                          const Topology<Dim>& topology, const Patches<Dim>& fluid) {
     const auto text = fmt::format("no convergence in {} iterations: |dv|/|v| = {:.3g}, |dp|/|p| = {:.3g}",
                                   report.iterations, report.finalU, report.finalP);
-    const auto worst = std::max_element(dp.begin(), dp.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+    const auto worst =
+        std::max_element(dp.begin(), dp.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
     if (worst == dp.end() || *worst == 0) return StepFailure(text);
     const int i = static_cast<int>(worst - dp.begin());
     double least = std::numeric_limits<double>::max();
     for (int s = topology.fluid.start[i]; s < topology.fluid.start[i + 1]; ++s)
         least = std::min(least, fluid.element[topology.fluid.cell[s]].measure);
-    return StepFailure(text + fmt::format("; worst at ({:.6g} {:.6g}), node {} with {} triangles, smallest {:.3g} h^{}",
-                                          nodes.x[i][0], nodes.x[i][1], nodes.id[i], topology.fluid.count(i),
-                                          least / std::pow(nodes.h[i], Dim), Dim),
-                       {nodes.id[i]});
+    return StepFailure(
+        text + fmt::format("; worst at ({:.6g} {:.6g}), node {} with {} triangles, smallest {:.3g} h^{}", nodes.x[i][0],
+                           nodes.x[i][1], nodes.id[i], topology.fluid.count(i), least / std::pow(nodes.h[i], Dim), Dim),
+        {nodes.id[i]});
 }
 
 /// Root mean square of 2 mu |d| over the cells: a pressure that is small beside the viscous stress need not be exact.
 template <int Dim>
 double viscousStressScale(const Patches<Dim>& fluid, const std::vector<double>& mu, const Points<Dim>& v) {
     const auto L = elementGradient<Dim>(fluid, v);
-    const double sum = sumOver(fluid.nCells(), [&](int e) {
-        return mu[e] * mu[e] * (L[e] + L[e].transpose()).squaredNorm();
-    });
+    const double sum =
+        sumOver(fluid.nCells(), [&](int e) { return mu[e] * mu[e] * (L[e] + L[e].transpose()).squaredNorm(); });
     return fluid.nCells() > 0 ? std::sqrt(sum / fluid.nCells()) : 0;
 }
 
@@ -143,8 +144,8 @@ double meanSize(const Nodes<Dim>& nodes) {
     return h;
 }
 
-/// A speed that moves nothing within a step: so that where nothing moves yet no change is measured by round-off, that of far places
-/// included [m/s].
+/// A speed that moves nothing within a step: so that where nothing moves yet no change is measured by round-off, that
+/// of far places included [m/s].
 template <int Dim>
 double unseenSpeed(const Nodes<Dim>& nodes, double dt) {
     double farthest = 0;
@@ -153,11 +154,12 @@ double unseenSpeed(const Nodes<Dim>& nodes, double dt) {
 }
 
 /// Largest density times g times the mean node distance: the pressure that one layer of fluid makes. The part of the
-/// velocity keeps the round-off of a flow without gravity or pressure from counting as a change; so does `roundOff` [1/s],
-/// the part of the velocities that cannot be told apart over the length of the step and the tolerance; and `unseen` [m/s] is what stops within it.
+/// velocity keeps the round-off of a flow without gravity or pressure from counting as a change; so does `roundOff`
+/// [1/s], the part of the velocities that cannot be told apart over the length of the step and the tolerance; and
+/// `unseen` [m/s] is what stops within it.
 template <int Dim>
-double pressureScale(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const Nodes<Dim>& nodes, double roundOff, double unseen,
-                     double dt) {
+double pressureScale(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const Nodes<Dim>& nodes, double roundOff,
+                     double unseen, double dt) {
     double rho = 0;
     const double h = meanSize<Dim>(nodes);
     for (int material : mesh.fluid.material) rho = std::max(rho, problem.fluid(material).rho);
@@ -165,8 +167,8 @@ double pressureScale(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const N
     return rho * (problem.gravity.norm() * h + 1e-6 * v * v + roundOff * v * h + unseen * h / dt);
 }
 
-/// Factor of mu div v in the change of pressure. A patch at the free surface, whose sides give way, resists its swelling by mu/3 only
-/// (plane strain): more would overshoot.
+/// Factor of mu div v in the change of pressure. A patch at the free surface, whose sides give way, resists its
+/// swelling by mu/3 only (plane strain): more would overshoot.
 template <int Dim>
 std::vector<double> viscousPressureScale(double scale, const Topology<Dim>& topology) {
     std::vector<double> result(topology.nNodes(), scale);
@@ -187,8 +189,8 @@ std::vector<double> nodalMass(const Problem<Dim>& problem, const Mesh<Dim>& mesh
 /// The step. `trial`: state n on entry; what was reached when it throws.
 template <int Dim>
 StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, const Mesh<Dim>& mesh,
-                        const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,
-                        const Nodes<Dim>& old, double dt, double divTarget, Nodes<Dim>& trial) {
+                        const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints, const Nodes<Dim>& old,
+                        double dt, double divTarget, Nodes<Dim>& trial) {
     const Newmark newmark{dt, controls.timeIntegration.gamma};
 
     // the matrices, at x^n, once per step
@@ -208,14 +210,16 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
     auto cellMu = fromPoints<Dim>(fluid, viscosity.mu);
     const Stabilisation held{stabilisation<Dim>(problem, mesh.fluid, fluid, cellMu, old.v, dt),
                              projectedCells<Dim>(controls.continuity, problem, mesh.fluid, topology, old)};
-    ContinuitySystem<Dim> continuity(problem, controls.continuity, mesh.fluid, topology, constraints, fluid, cellMu, held,
-                                           old.x, momentum.solidDofs(), momentum.solidMatrix(), newmark);
+    ContinuitySystem<Dim> continuity(problem, controls.continuity, mesh.fluid, topology, constraints, fluid, cellMu,
+                                     held, old.x, momentum.solidDofs(), momentum.solidMatrix(), newmark);
 
-    const double waveDamping = 2 * controls.momentum.waveDamping * dt * std::sqrt(problem.gravity.norm() / meanSize<Dim>(old));
+    const double waveDamping =
+        2 * controls.momentum.waveDamping * dt * std::sqrt(problem.gravity.norm() / meanSize<Dim>(old));
     const double unseen = unseenSpeed<Dim>(old, dt);
-    Convergence convergence(controls.convergence, unseen,
-                            pressureScale<Dim>(problem, mesh, old, 1e-14 / (dt * controls.convergence.tolP), unseen, dt) +
-                                viscousStressScale<Dim>(fluid, cellMu, old.v));
+    Convergence convergence(
+        controls.convergence, unseen,
+        pressureScale<Dim>(problem, mesh, old, 1e-14 / (dt * controls.convergence.tolP), unseen, dt) +
+            viscousStressScale<Dim>(fluid, cellMu, old.v));
     StepReport report;
     std::vector<double> dp;
     SolidStress<Dim> stressOfSolid;
@@ -225,7 +229,8 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
     NewtonDamping<Dim> damping;
     Anderson pressureIteration(controls.convergence.accelerationDepth);
     Points<Dim> solidForceOld(old.size(), Vec<Dim>::Zero());
-    addInternalForce<Dim>(solid, storedElementStress<Dim>(problem, controls.solid, mesh.solid, solid, old), solidForceOld);
+    addInternalForce<Dim>(solid, storedElementStress<Dim>(problem, controls.solid, mesh.solid, solid, old),
+                          solidForceOld);
     moveNodes<Dim>(newmark, constraints, topology, problem.gravity, old, trial);
     Nodes<Dim> middle = old;
     // the iteration changes p - rho g . x: nodes that move take the pressure of their depth along
@@ -249,18 +254,22 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
             momentum.setViscosity(viscosity);
         }
         // a viscous force that can hardly change any more stays as it is
-        if (report.iterations == 0 || std::max(momentum.viscousNumber(), waveDamping) * report.finalU > 0.1 * controls.convergence.tolU) {
+        if (report.iterations == 0 ||
+            std::max(momentum.viscousNumber(), waveDamping) * report.finalU > 0.1 * controls.convergence.tolU) {
             viscous = viscousForce<Dim>(fluid, viscosity.mu, middle.v);
-            const auto zigzag = zigzagForce<Dim>(problem, mesh.fluid, fluid, controls.momentum.waveDamping, old.h, middle.v);
+            const auto zigzag =
+                zigzagForce<Dim>(problem, mesh.fluid, fluid, controls.momentum.waveDamping, old.h, middle.v);
             forEach(trial.size(), [&](int i) { viscous[i] += zigzag[i]; });
         }
         auto external = tractionForce<Dim>(mesh, problem.conditions, middle.x);
         addWallFriction<Dim>(problem, mesh.fluid, topology, middle, external);
         addSideFriction<Dim>(problem, mesh.fluid, fluid, middle.v, external);
         forEach(trial.size(), [&](int i) { external[i] -= viscous[i] + (1 - newmark.gamma) * solidForceOld[i]; });
-        auto elementStress = solidElementStress<Dim>(problem, controls.solid, mesh.solid, solidGradients, solid, stressOfSolid, trial);
+        auto elementStress =
+            solidElementStress<Dim>(problem, controls.solid, mesh.solid, solidGradients, solid, stressOfSolid, trial);
         for (auto& sigma : elementStress) sigma *= newmark.gamma;
-        auto R_m = momentumResidual<Dim>(mass, middle.a, problem.gravity, fluid, middle.p, solid, elementStress, external);
+        auto R_m =
+            momentumResidual<Dim>(mass, middle.a, problem.gravity, fluid, middle.p, solid, elementStress, external);
         forEach(trial.size(), [&](int i) { R_m[i] /= newmark.gamma; });
         momentum.setInertia(matrixInertia<Dim>(mass, stiffness, newmark));
         const auto dv = momentum.solve(R_m);
@@ -273,22 +282,24 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
 
         // patches again: the continuity lives in the updated configuration, and so does the next momentum
         updatePatches<Dim>(fluid, report.iterations + 1 < waiting ? old.x : middle.x);
-        const auto R_c = continuityResidual<Dim>(problem, controls.continuity, mesh.fluid, topology, fluid, cellMu, held,
-                                                 trial, middle, old, dt, divTarget);
+        const auto R_c = continuityResidual<Dim>(problem, controls.continuity, mesh.fluid, topology, fluid, cellMu,
+                                                 held, trial, middle, old, dt, divTarget);
         if (report.iterations > 0 && report.iterations % controls.convergence.refactorEvery == 0) {
             pressureIteration.restart();
-            continuity = ContinuitySystem<Dim>(problem, controls.continuity, mesh.fluid, topology, constraints, fluid,
-                                               cellMu, held, middle.x, momentum.solidDofs(), momentum.solidMatrix(), newmark);
+            continuity =
+                ContinuitySystem<Dim>(problem, controls.continuity, mesh.fluid, topology, constraints, fluid, cellMu,
+                                      held, middle.x, momentum.solidDofs(), momentum.solidMatrix(), newmark);
         }
         if (report.iterations == waiting) pressureIteration.restart();
         dp = continuity.solve(R_c);
         if (momentum.isViscous())
-            addViscousPressure<Dim>(fluid, yields ? fromPoints<Dim>(fluid, tangentViscosity<Dim>(viscosity)) : cellMu, viscousScale, R_c, dp);
+            addViscousPressure<Dim>(fluid, yields ? fromPoints<Dim>(fluid, tangentViscosity<Dim>(viscosity)) : cellMu,
+                                    viscousScale, R_c, dp);
         excess = pressureIteration.next(excess, dp);
         middle.p = trial.p = withDepth<Dim>(depth, topology, middle.x, excess);
 
-        converged = convergence.reached(rms<Dim>(dv), rms<Dim>(trial.v), rms(dp), rms(trial.p)) &&
-                    report.iterations >= waiting;
+        converged =
+            convergence.reached(rms<Dim>(dv), rms<Dim>(trial.v), rms(dp), rms(trial.p)) && report.iterations >= waiting;
         const int linear = report.linearIterations + momentum.linearIterations();
         report = convergence.report();
         report.linearIterations = linear;
@@ -305,8 +316,8 @@ StepResult<Dim> iterate(const Problem<Dim>& problem, const Controls& controls, c
 
 template <int Dim>
 StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, const Mesh<Dim>& mesh,
-                        const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,
-                        const Nodes<Dim>& old, double dt, double divTarget) {
+                        const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints, const Nodes<Dim>& old,
+                        double dt, double divTarget) {
     Nodes<Dim> trial = old;
     try {
         return iterate<Dim>(problem, controls, mesh, topology, constraints, old, dt, divTarget, trial);
@@ -320,7 +331,8 @@ Nodes<Dim> consistentStart(Problem<Dim> problem, Controls controls, const Mesh<D
                            const Topology<Dim>& topology, const ConstraintsOver<Dim>& constraintsOver,
                            const Nodes<Dim>& nodes, double moment) {
     // a fluid without free surface has its pressure up to a constant: a trace of compressibility says which
-    const bool open = std::find(topology.freeSurface.begin(), topology.freeSurface.end(), 1) != topology.freeSurface.end();
+    const bool open =
+        std::find(topology.freeSurface.begin(), topology.freeSurface.end(), 1) != topology.freeSurface.end();
     double h = 0;
     for (double size : nodes.h) h = std::max(h, size);
     for (auto& material : problem.materials)
@@ -358,17 +370,17 @@ Nodes<Dim> consistentStart(Problem<Dim> problem, Controls controls, const Mesh<D
     }
     for (int i = 0; i < start.size(); ++i) start.v[i] -= impulses * moment * next.a[i];
     // what is left of the impulses is no pressure: that of a first step of usual length is
-    const Nodes<Dim> first = fsiStep<Dim>(problem, asGiven, mesh, topology, constraintsOver(0, firstStep), start, firstStep, 0).nodes;
+    const Nodes<Dim> first =
+        fsiStep<Dim>(problem, asGiven, mesh, topology, constraintsOver(0, firstStep), start, firstStep, 0).nodes;
     start.p = first.p;
     start.a = first.a;
     return start;
 }
 
-#define PFEM_INSTANTIATE(D)                                                                           \
-    template StepResult<D> fsiStep<D>(const Problem<D>&, const Controls&, const Mesh<D>&,             \
-                                      const Topology<D>&, const NodeConstraints<D>&, const Nodes<D>&, \
-                                      double, double);                                                \
-    template Nodes<D> consistentStart<D>(Problem<D>, Controls, const Mesh<D>&, const Topology<D>&,    \
+#define PFEM_INSTANTIATE(D)                                                                                   \
+    template StepResult<D> fsiStep<D>(const Problem<D>&, const Controls&, const Mesh<D>&, const Topology<D>&, \
+                                      const NodeConstraints<D>&, const Nodes<D>&, double, double);            \
+    template Nodes<D> consistentStart<D>(Problem<D>, Controls, const Mesh<D>&, const Topology<D>&,            \
                                          const ConstraintsOver<D>&, const Nodes<D>&, double);
 PFEM_INSTANTIATE(2)
 

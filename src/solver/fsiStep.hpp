@@ -12,9 +12,9 @@ namespace pfem {
 /// What one step did; for the log.
 struct StepReport {
     int iterations = 0;
-    int linearIterations = 0;             // conjugate gradients, all iterations together
-    double initialU = 0, finalU = 0;      // |dv|/|v| of the first and the last iteration
-    double initialP = 0, finalP = 0;      // |dp|/|p|
+    int linearIterations = 0;         // conjugate gradients, all iterations together
+    double initialU = 0, finalU = 0;  // |dv|/|v| of the first and the last iteration
+    double initialP = 0, finalP = 0;  // |dp|/|p|
 };
 
 template <int Dim>
@@ -29,8 +29,8 @@ struct StepResult {
 /// Throws FailedStep with the nodes of the last trial when the step cannot be accepted; `old` is untouched.
 template <int Dim>
 StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, const Mesh<Dim>& mesh,
-                        const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,
-                        const Nodes<Dim>& old, double dt, double divTarget);
+                        const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints, const Nodes<Dim>& old,
+                        double dt, double divTarget);
 
 /// The constraints between two times [s] counted from the present one.
 template <int Dim>
@@ -38,7 +38,8 @@ using ConstraintsOver = std::function<NodeConstraints<Dim>(double from, double t
 
 /// Pressure and acceleration at t = 0 that agree with the forces: one backward Euler step of the vanishing
 /// length `moment` [s] of the incompressible fluid, of which only p and a are kept. Initial velocities that
-/// walls and incompressibility do not allow are made so by an impulse before; p and a are then those of a step of a thousand moments.
+/// walls and incompressibility do not allow are made so by an impulse before; p and a are then those of a step of a
+/// thousand moments.
 template <int Dim>
 Nodes<Dim> consistentStart(Problem<Dim> problem, Controls controls, const Mesh<Dim>& mesh,
                            const Topology<Dim>& topology, const ConstraintsOver<Dim>& constraintsOver,

@@ -16,8 +16,8 @@ namespace {
 constexpr int mostTurns = 20;
 constexpr double enough = 0.01;  // of the fastest closing
 
-/// How patches and walls hold the nodes where they are, as in the momentum equation of the next step: the contact line of a no-slip wall
-/// slides along it.
+/// How patches and walls hold the nodes where they are, as in the momentum equation of the next step: the contact line
+/// of a no-slip wall slides along it.
 template <int Dim>
 NodeConstraints<Dim> holdOf(const Problem<Dim>& problem, const State<Dim>& state) {
     const auto topology = makeTopology<Dim>(state.mesh, problem.conditions.kind, state.nodes.wall);
@@ -48,7 +48,8 @@ MeetingCell<Dim> meetingCell(const Simplex<Dim>& s, const Nodes<Dim>& nodes, con
     return cell;
 }
 
-/// Per node of the contacts the largest value of all that hang together by shared nodes; 0 elsewhere. `value`: of a contact.
+/// Per node of the contacts the largest value of all that hang together by shared nodes; 0 elsewhere. `value`: of a
+/// contact.
 template <int Dim, class Value>
 std::vector<double> largestTogether(const std::vector<Simplex<Dim>>& contacts, int nNodes, Value value) {
     std::vector<double> largest(nNodes, 0.0);
@@ -89,7 +90,8 @@ double apartIn(const Simplex<Dim>& s, const std::vector<double>& mass, const Poi
 
 /// The largest speed at which a node of the contacts is held, that of a moving wall.
 template <int Dim>
-double fastestHold(const std::vector<Simplex<Dim>>& contacts, const Points<Dim>& v, const NodeConstraints<Dim>& constraints) {
+double fastestHold(const std::vector<Simplex<Dim>>& contacts, const Points<Dim>& v,
+                   const NodeConstraints<Dim>& constraints) {
     double fastest = 0;
     for (const auto& s : contacts)
         for (int i : s) fastest = std::max(fastest, (v[i] - constraints.project(i, v[i])).norm());
@@ -102,7 +104,8 @@ template <int Dim>
 void strike(const Problem<Dim>& problem, const std::vector<Simplex<Dim>>& contacts, State<Dim>& state) {
     auto& nodes = state.nodes;
     const auto struck = betweenFluids<Dim>(contacts, state);
-    if (std::none_of(struck.begin(), struck.end(), [&](const auto& s) { return simplexDivergence<Dim>(nodes.x, nodes.v, s) < 0; }))
+    if (std::none_of(struck.begin(), struck.end(),
+                     [&](const auto& s) { return simplexDivergence<Dim>(nodes.x, nodes.v, s) < 0; }))
         return;
     const auto constraints = holdOf<Dim>(problem, state);
     const auto mass = fluidMass<Dim>(problem, state.mesh.fluid, nodes.x);
@@ -110,8 +113,10 @@ void strike(const Problem<Dim>& problem, const std::vector<Simplex<Dim>>& contac
     for (const auto& s : struck)  // what a wall holds from now on strikes nobody
         for (int i : s) nodes.v[i] = constraints.velocity(i, nodes.x[i], nodes.v[i]);
     const Points<Dim> held = nodes.v;
-    const auto speed = largestTogether<Dim>(struck, nodes.size(), [&](const auto& s) { return fastestOf<Dim>({s}, held); });
-    const auto apart = largestTogether<Dim>(struck, nodes.size(), [&](const auto& s) { return apartIn<Dim>(s, mass, held); });
+    const auto speed =
+        largestTogether<Dim>(struck, nodes.size(), [&](const auto& s) { return fastestOf<Dim>({s}, held); });
+    const auto apart =
+        largestTogether<Dim>(struck, nodes.size(), [&](const auto& s) { return apartIn<Dim>(s, mass, held); });
     double fastest = 0;
     for (const auto& s : struck) fastest = std::max(fastest, -simplexDivergence<Dim>(nodes.x, nodes.v, s));
     bool closing = fastest > 0;

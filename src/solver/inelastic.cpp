@@ -24,8 +24,7 @@ using NodalVector = Eigen::Matrix<double, Dim*(Dim + 1), 1>;
 
 /// Velocities at the nodes by translations, one a column, then turns about `centre`.
 template <int Dim>
-Eigen::Matrix<double, Dim*(Dim + 1), Eigen::Dynamic> rigidModes(const MeetingCell<Dim>& cell,
-                                                                const Vec<Dim>& centre) {
+Eigen::Matrix<double, Dim*(Dim + 1), Eigen::Dynamic> rigidModes(const MeetingCell<Dim>& cell, const Vec<Dim>& centre) {
     Eigen::Matrix<double, Dim*(Dim + 1), Eigen::Dynamic> modes(Dim * (Dim + 1), Dim + Dim * (Dim - 1) / 2);
     modes.setZero();
     double size = 0;
@@ -60,8 +59,7 @@ std::optional<Velocities<Dim>> frameOf(const MeetingCell<Dim>& cell) {
     const auto modes = rigidModes<Dim>(cell, centre / weight);
     auto ofHolds = modes;
     for (int k = 0; k <= Dim; ++k)
-        ofHolds.template middleRows<Dim>(Dim * k) =
-            heldPart<Dim>(cell, k) * modes.template middleRows<Dim>(Dim * k);
+        ofHolds.template middleRows<Dim>(Dim * k) = heldPart<Dim>(cell, k) * modes.template middleRows<Dim>(Dim * k);
     for (const Eigen::Index nModes : {Eigen::Index(Dim), modes.cols()}) {
         const Eigen::VectorXd motion = ofHolds.leftCols(nModes).completeOrthogonalDecomposition().solve(held);
         if ((ofHolds.leftCols(nModes) * motion - held).norm() > 1e-9 * held.norm()) continue;
@@ -140,8 +138,7 @@ bool stopClosing(MeetingCell<Dim>& cell) {
     double beta = apartAfter > apart ? 1 - apart / apartAfter : 0;
     const double limit = std::max(cell.speed, largestNorm<Dim>(before, Vec<Dim>::Zero()));
     for (const auto& u : after) beta = std::max(beta, wayTo<Dim>(together, u, limit));
-    for (int k = 0; k <= Dim; ++k)
-        cell.v[k] += cell.freedom[k] * (after[k] + beta * (together - after[k]) - before[k]);
+    for (int k = 0; k <= Dim; ++k) cell.v[k] += cell.freedom[k] * (after[k] + beta * (together - after[k]) - before[k]);
     return true;
 }
 

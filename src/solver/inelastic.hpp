@@ -10,12 +10,11 @@ namespace pfem {
 /// The nodes of a cell in which two surfaces meet, as the impulse sees them.
 template <int Dim>
 struct MeetingCell {
-    std::array<Vec<Dim>, Dim + 1> x;      // positions [m]
-    std::array<Vec<Dim>, Dim + 1> v;      // velocities, what is held with that of its wall [m/s]
-    std::array<Vec<Dim>, Dim + 1> gradN;  // [1/m]
-    std::array<double, Dim + 1> mass;     // [kg/m (2D), kg]
-    std::array<Tensor<Dim>, Dim + 1>
-        freedom;  // projector on what the node may do: identity, along a wall, zero
+    std::array<Vec<Dim>, Dim + 1> x;           // positions [m]
+    std::array<Vec<Dim>, Dim + 1> v;           // velocities, what is held with that of its wall [m/s]
+    std::array<Vec<Dim>, Dim + 1> gradN;       // [1/m]
+    std::array<double, Dim + 1> mass;          // [kg/m (2D), kg]
+    std::array<Tensor<Dim>, Dim + 1> freedom;  // projector on what the node may do: identity, along a wall, zero
 
     /// What every node may have in any case, seen from the frame and from w (below) [m/s]: of others that
     /// meet at the same time.

@@ -37,21 +37,23 @@ void checkCells(const char* kind, const Nodes<Dim>& nodes, const std::vector<Sim
     });
     if (found == nCells) return;
     const auto& cell = cells[found];
-    throw StepFailure(fmt::format("{} element with the nodes {} {} {} inverted at {}", kind, nodes.id[cell[0]],
-                                  nodes.id[cell[1]], nodes.id[cell[2]],
-                                  placeText<Dim>(simplexCentroid<Dim>(nodes.x, cell))),
-                      idsOf<Dim>(nodes, cell));
+    throw StepFailure(
+        fmt::format("{} element with the nodes {} {} {} inverted at {}", kind, nodes.id[cell[0]], nodes.id[cell[1]],
+                    nodes.id[cell[2]], placeText<Dim>(simplexCentroid<Dim>(nodes.x, cell))),
+        idsOf<Dim>(nodes, cell));
 }
 
-/// Did a point pass through a face from its front (left) to its back while both moved? From where it would have landed (1e-9 h)
-/// to more than `slack` behind, and within the face on the way; one that stood on the face (and slides over its end) where it arrived.
+/// Did a point pass through a face from its front (left) to its back while both moved? From where it would have landed
+/// (1e-9 h) to more than `slack` behind, and within the face on the way; one that stood on the face (and slides over
+/// its end) where it arrived.
 bool crossed(const Face<2>& face, const Points<2>& faceOld, const Points<2>& faceNew, const Vec<2>& xOld,
              const Vec<2>& xNew, double slack) {
     const auto distance = [&](const Points<2>& x, const Vec<2>& point) {
         return -faceArea<2>(x, face).normalized().dot(point - x[face[0]]);
     };
     const double before = distance(faceOld, xOld), after = distance(faceNew, xNew);
-    if (!(before > -1e-7 * slack && after < -slack)) return false;  // what came round an end was behind it, and did not land
+    if (!(before > -1e-7 * slack && after < -slack))
+        return false;  // what came round an end was behind it, and did not land
     const double part = before > slack ? before / (before - after) : 1;  // of the way
     const Vec<2> place = xOld + part * (xNew - xOld);
     const Vec<2> a = faceOld[face[0]] + part * (faceNew[face[0]] - faceOld[face[0]]);
@@ -74,7 +76,7 @@ Points<Dim> oldPositions(const Nodes<Dim>& last, const Nodes<Dim>& next) {
 /// Nodes that went through rigid walls. Faces of patches keep their corners, with other indices in `next`.
 void checkWalls(const Topology<2>& topology, const Points<2>& xOld, const State<2>& next) {
     const auto held = keptNodes<2>(next.mesh, next.nodes.size());  // solids and corners go their own ways
-    std::vector<std::pair<Face<2>, const std::string*>> walls;  // and the names of their patches
+    std::vector<std::pair<Face<2>, const std::string*>> walls;     // and the names of their patches
     std::size_t w = 0;
     for (const auto& patch : next.mesh.patches)
         for (const auto& face : patch.faces)
@@ -110,8 +112,7 @@ void checkSolids(const Points<2>& xOld, const State<2>& next) {
                  boundaryFaces<2>(next.mesh.solid.nodes, nodeToCells<2>(next.mesh.solid.nodes, nodes.size())))
                 faces.push_back({face.nodes[1], face.nodes[0]});  // the fluid's side is the front
         for (const auto& face : faces)
-            if (crossed(face, xOld, nodes.x, xOld[i], nodes.x[i], 0.01 * h))
-                fail<2>(nodes, i, "went through a solid");
+            if (crossed(face, xOld, nodes.x, xOld[i], nodes.x[i], 0.01 * h)) fail<2>(nodes, i, "went through a solid");
     }
 }
 
@@ -126,7 +127,8 @@ void checkInvariants<2>(const ConvergenceControls& controls, const Topology<2>& 
     const Points<2> xOld = oldPositions<2>(last.nodes, next.nodes);
     checkWalls(topology, xOld, next);
     checkSolids(xOld, next);
-    const double before = totalVolume<2>(last), after = totalVolume<2>(next) - goneVolume<2>(next) + goneVolume<2>(last);
+    const double before = totalVolume<2>(last),
+                 after = totalVolume<2>(next) - goneVolume<2>(next) + goneVolume<2>(last);
     if (std::abs(after - before) > controls.maxVolumeChange * before)
         throw StepFailure(fmt::format("the fluid's volume changed from {:.6g} to {:.6g} in one step", before, after));
 }
@@ -135,8 +137,9 @@ template <int Dim>
 void checkSpeed(const ConvergenceControls& controls, const Nodes<Dim>& nodes) {
     for (int i = 0; i < nodes.size(); ++i)
         if (!(nodes.v[i].norm() * controls.deltaTMin <= nodes.h[i]))
-            fail<Dim>(nodes, i, fmt::format("moves with {:.3g} m/s: through its mesh size within deltaTMin = {:.3g} s",
-                                            nodes.v[i].norm(), controls.deltaTMin));
+            fail<Dim>(nodes, i,
+                      fmt::format("moves with {:.3g} m/s: through its mesh size within deltaTMin = {:.3g} s",
+                                  nodes.v[i].norm(), controls.deltaTMin));
 }
 
 template <int Dim>
@@ -153,13 +156,15 @@ template <int Dim>
 void checkSpeedGain(double allowed, const Nodes<Dim>& nodes) {
     const int found = firstOf(nodes.size(), [&](int i) { return nodes.v[i].norm() > allowed * (1 + 1e-9); });
     if (found < nodes.size())
-        fail<Dim>(nodes, found, fmt::format("has got {:.6g} m/s from a contact, a landing or remeshing; the fastest before had {:.6g} m/s",
-                                            nodes.v[found].norm(), allowed));
+        fail<Dim>(
+            nodes, found,
+            fmt::format("has got {:.6g} m/s from a contact, a landing or remeshing; the fastest before had {:.6g} m/s",
+                        nodes.v[found].norm(), allowed));
 }
 
-#define PFEM_INSTANTIATE(D)                                                     \
-    template void checkSpeed<D>(const ConvergenceControls&, const Nodes<D>&);   \
-    template double allowedSpeed<D>(const Topology<D>&, const Nodes<D>&);       \
+#define PFEM_INSTANTIATE(D)                                                   \
+    template void checkSpeed<D>(const ConvergenceControls&, const Nodes<D>&); \
+    template double allowedSpeed<D>(const Topology<D>&, const Nodes<D>&);     \
     template void checkSpeedGain<D>(double, const Nodes<D>&);
 PFEM_INSTANTIATE(2)
 

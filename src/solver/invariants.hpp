@@ -17,13 +17,13 @@ template <int Dim>
 void checkInvariants(const ConvergenceControls& controls, const Topology<Dim>& topology, const State<Dim>& last,
                      const State<Dim>& next);
 
-/// The speed that no node may exceed after landing, contacts and remeshing: that of the fastest now, after the equations, and twice that
-/// of the fastest wall or solid: one may land on it, and be struck there.
+/// The speed that no node may exceed after landing, contacts and remeshing: that of the fastest now, after the
+/// equations, and twice that of the fastest wall or solid: one may land on it, and be struck there.
 template <int Dim>
 double allowedSpeed(const Topology<Dim>& topology, const Nodes<Dim>& nodes);
 
-/// Throws StepFailure when a node is faster than `allowed`, by more than round-off. Landing, contacts (solver/impact.hpp) and new nodes
-/// keep to it by their formulas: no try is rejected but by a mistake in one of them.
+/// Throws StepFailure when a node is faster than `allowed`, by more than round-off. Landing, contacts
+/// (solver/impact.hpp) and new nodes keep to it by their formulas: no try is rejected but by a mistake in one of them.
 template <int Dim>
 void checkSpeedGain(double allowed, const Nodes<Dim>& nodes);
 

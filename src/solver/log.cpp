@@ -28,12 +28,14 @@ std::string stepLines(const AdvanceReport& report, const State<Dim>& state, doub
     for (const auto& reason : report.reasons) text += "Step rejected: " + reason + "\n";
     const auto& s = report.step;
     const auto solve = [&](const char* name, double first, double last, int iterations) {
-        return fmt::format("pfem:  Solving for {}, Initial residual = {:.6g}, Final residual = {:.6g}, No Iterations {}\n",
-                           name, first, last, iterations);
+        return fmt::format(
+            "pfem:  Solving for {}, Initial residual = {:.6g}, Final residual = {:.6g}, No Iterations {}\n", name,
+            first, last, iterations);
     };
     text += solve("U", s.initialU, s.finalU, s.iterations) + solve("p", s.initialP, s.finalP, s.iterations);
-    text += fmt::format("Mesh: {} nodes, {} fluid triangles, removed {}, inserted {}, returned {}\n", state.nodes.size(),
-                        state.mesh.fluid.size(), report.mesh.removed, report.mesh.inserted, report.returned);
+    text +=
+        fmt::format("Mesh: {} nodes, {} fluid triangles, removed {}, inserted {}, returned {}\n", state.nodes.size(),
+                    state.mesh.fluid.size(), report.mesh.removed, report.mesh.inserted, report.returned);
     double change = 0, correction = 0;
     for (const auto& [cause, amount] : state.ledger) {
         if (isGainOrLoss(cause)) change += amount;
@@ -41,16 +43,17 @@ std::string stepLines(const AdvanceReport& report, const State<Dim>& state, doub
     }
     const double volume = totalVolume<Dim>(state), gone = goneVolume<Dim>(state);
     if (firstVolume > 0)  // a case may have solids only
-        text += fmt::format("Fluid volume = {:.6g}, change = {:.3g} %, raw = {:.3g} %{}\n", volume, 100 * change / firstVolume,
-                            100 * (change - correction) / firstVolume,
+        text += fmt::format("Fluid volume = {:.6g}, change = {:.3g} %, raw = {:.3g} %{}\n", volume,
+                            100 * change / firstVolume, 100 * (change - correction) / firstVolume,
                             gone != 0 ? fmt::format(", gone = {:.3g} %", 100 * gone / firstVolume) : "");
     return text;
 }
 
 std::string timeLines(double cpu, double clock, double fraction) {
     const double left = fraction > 0 ? clock * (1 - fraction) / fraction : 0;
-    return fmt::format("ExecutionTime = {:.2f} s  ClockTime = {:.0f} s\nProgress = {:.1f} %, estimated time left = {:.0f} s\n\n",
-                       cpu, clock, 100 * fraction, left);
+    return fmt::format(
+        "ExecutionTime = {:.2f} s  ClockTime = {:.0f} s\nProgress = {:.1f} %, estimated time left = {:.0f} s\n\n", cpu,
+        clock, 100 * fraction, left);
 }
 
 void RunSummary::add(const AdvanceReport& report, int triangles) {
@@ -67,12 +70,14 @@ std::string RunSummary::text(double clock) const {
     std::sort(sorted.begin(), sorted.end());
     const double steps = static_cast<double>(sorted.size());
     const auto share = [&](double seconds) { return 100 * seconds / std::max(clock, 1e-9); };
-    return fmt::format("Summary: {} steps, {} rejected ({:.2f} %), iterations median {}, largest {}\n"
-                       "         {:.1f} ms per step: equations {:.0f} %, remeshing {:.0f} %, output and the rest {:.0f} %\n"
-                       "         {:.0f} triangles on average, {:.2f} microseconds per triangle and step, at most {:.0f} MB of memory\n\n",
-                       sorted.size(), rejected_, 100 * rejected_ / steps, sorted[sorted.size() / 2], sorted.back(),
-                       1000 * clock / steps, share(step_), share(remeshing_), share(clock - step_ - remeshing_),
-                       triangles_ / steps, 1e6 * clock / std::max(triangles_, 1.0), peakMemory());
+    return fmt::format(
+        "Summary: {} steps, {} rejected ({:.2f} %), iterations median {}, largest {}\n"
+        "         {:.1f} ms per step: equations {:.0f} %, remeshing {:.0f} %, output and the rest {:.0f} %\n"
+        "         {:.0f} triangles on average, {:.2f} microseconds per triangle and step, at most {:.0f} MB of "
+        "memory\n\n",
+        sorted.size(), rejected_, 100 * rejected_ / steps, sorted[sorted.size() / 2], sorted.back(),
+        1000 * clock / steps, share(step_), share(remeshing_), share(clock - step_ - remeshing_), triangles_ / steps,
+        1e6 * clock / std::max(triangles_, 1.0), peakMemory());
 }
 
 template std::string stepLines<2>(const AdvanceReport&, const State<2>&, double);

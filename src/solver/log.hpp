@@ -27,7 +27,7 @@ public:
 private:
     std::vector<int> iterations_;
     int rejected_ = 0;
-    double triangles_ = 0;  // sum over all steps
+    double triangles_ = 0;             // sum over all steps
     double step_ = 0, remeshing_ = 0;  // [s]
 };
 

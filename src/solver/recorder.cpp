@@ -30,8 +30,10 @@ void Recorder<Dim>::giveUp(const std::string& what, const StepFailure& failure, 
         const auto* step = dynamic_cast<const FailedStep<Dim>*>(&failure);
         text += writeFailed(case_.root(), problem_, step ? *step : FailedStep<Dim>(failure, last), last) +
                 "\nThe folder failed/ shows it (ParaView: failed/failed.pvd, flag 'failed').\n"
-                "The last good state is in the folder " + name_ + ".";
-        if (last.time.index == first_) text += "\nIt was the first step, computed with these numbers:\n" + startNumbers(case_);
+                "The last good state is in the folder " +
+                name_ + ".";
+        if (last.time.index == first_)
+            text += "\nIt was the first step, computed with these numbers:\n" + startNumbers(case_);
     } catch (const UserError& error) {
         text += std::string("\nNor could the state be written: ") + error.what();
     }
@@ -50,11 +52,13 @@ void Recorder<Dim>::start(const Controls& controls, State<Dim>& state, double dt
 }
 
 template <int Dim>
-AdvanceReport Recorder<Dim>::advance(const Controls& controls, Triangulator& triangulator, State<Dim>& state, double dt) {
+AdvanceReport Recorder<Dim>::advance(const Controls& controls, Triangulator& triangulator, State<Dim>& state,
+                                     double dt) {
     try {
         return pfem::advance(problem_, controls, triangulator, state, dt);
     } catch (const StepFailure& failure) {
-        giveUp(fmt::format("The step after t = {} s failed with deltaT = {:.3g} s and all its halvings", state.time.value, dt),
+        giveUp(fmt::format("The step after t = {} s failed with deltaT = {:.3g} s and all its halvings",
+                           state.time.value, dt),
                failure, state);
     } catch (const std::exception&) {
         save(state);

@@ -12,15 +12,21 @@ template <int Dim>
 class Recorder {
 public:
     Recorder(const Case& theCase, const Problem<Dim>& problem, TimeControl& clock, const State<Dim>& start)
-        : case_(theCase), problem_(problem), clock_(clock), series_(theCase.root()), first_(start.time.index), written_(first_),
+        : case_(theCase),
+          problem_(problem),
+          clock_(clock),
+          series_(theCase.root()),
+          first_(start.time.index),
+          written_(first_),
           name_(clock.startName()) {}
 
-    /// Write the folder of this time and the lists for ParaView; nothing when it stands there already. Throws UserError.
+    /// Write the folder of this time and the lists for ParaView; nothing when it stands there already. Throws
+    /// UserError.
     void save(const State<Dim>& state);
 
-    /// startConsistently() and advance(). Where the ledger's fields are counted (State::appeared), the start's folder gets them
-    /// too, zeros: ParaView offers the fields of the first time. When they fail for good, the last good state is written and the folder
-    /// failed/, and a StepFailure tells the reason, the place and where both are.
+    /// startConsistently() and advance(). Where the ledger's fields are counted (State::appeared), the start's folder
+    /// gets them too, zeros: ParaView offers the fields of the first time. When they fail for good, the last good state
+    /// is written and the folder failed/, and a StepFailure tells the reason, the place and where both are.
     void start(const Controls& controls, State<Dim>& state, double dt);
     AdvanceReport advance(const Controls& controls, Triangulator& triangulator, State<Dim>& state, double dt);
 

@@ -39,8 +39,10 @@ Problem<Dim> readProblem(const Case& theCase, const State<Dim>& state, std::ostr
             problem.materials.push_back(findMaterial(all, name));
         } catch (const UserError& error) {
             const std::string near = nearestWord(name, materials.keys());
-            throw UserError(error.what() + std::string("\n\nThe mesh in the time folder asks for it; was it made from other dictionaries?"),
-                            near.empty() ? materials.where() : materials.where(near));
+            throw UserError(
+                error.what() +
+                    std::string("\n\nThe mesh in the time folder asks for it; was it made from other dictionaries?"),
+                near.empty() ? materials.where() : materials.where(near));
         }
     }
     const auto check = [&](const Cells<Dim>& cells, MaterialKind kind, const char* word) {
@@ -86,8 +88,10 @@ Controls readControls(const Case& theCase, std::ostream* warnings) {
     const auto& r = controls.remeshing;
     if (r.insertDistance < 2 * std::max({r.removeDistance, r.removeDistanceSurface, r.removeDistanceFilm}))
         dict.subDictOrEmpty("remeshing")
-            .fatal("insertDistance", "insertDistance must be at least twice removeDistance, removeDistanceSurface and removeDistanceFilm: "
-                                     "the halves of a divided edge would be removed again");
+            .fatal(
+                "insertDistance",
+                "insertDistance must be at least twice removeDistance, removeDistanceSurface and removeDistanceFilm: "
+                "the halves of a divided edge would be removed again");
     if (warnings) warnUnused(dict, *warnings);
     return controls;
 }

@@ -64,9 +64,13 @@ void list(const std::filesystem::path& file, const Wanted& wanted, std::string& 
 
 std::string startNumbers(const Case& theCase) {
     std::string text;
-    const auto plain = [](const std::string& key, const std::string&) { return !key.ends_with("type") && key != "dimensions"; };
+    const auto plain = [](const std::string& key, const std::string&) {
+        return !key.ends_with("type") && key != "dimensions";
+    };
     for (const char* file : {"materials", "g", "boundaryConditions"}) list(theCase.constant(file), plain, text);
-    const auto step = [](const std::string& key, const std::string&) { return key == "deltaT" || key == "adjustTimeStep"; };
+    const auto step = [](const std::string& key, const std::string&) {
+        return key == "deltaT" || key == "adjustTimeStep";
+    };
     list(theCase.controlDict(), step, text);
     const auto other = [known = defaults()](const std::string& key, const std::string& value) {
         const auto found = known.find(key);

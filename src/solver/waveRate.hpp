@@ -5,7 +5,8 @@
 
 namespace pfem {
 
-/// sqrt(g/h) of the finest fluid: waves as short as a triangle have some 1.8 times this angular frequency [1/s]. 0 without fluid or gravity.
+/// sqrt(g/h) of the finest fluid: waves as short as a triangle have some 1.8 times this angular frequency [1/s]. 0
+/// without fluid or gravity.
 template <int Dim>
 double gravityWaveRate(const Problem<Dim>& problem, const State<Dim>& state);
 

@@ -9,9 +9,9 @@ namespace pfem {
 
 template <int Dim>
 struct Problem {
-    std::vector<Material> materials;  // in the order of Mesh::materials
-    double time = 0;                  // the time in question [s]
-    Vec<Dim> gravity = Vec<Dim>::Zero();               // at the time in question [m/s2]
+    std::vector<Material> materials;                // in the order of Mesh::materials
+    double time = 0;                                // the time in question [s]
+    Vec<Dim> gravity = Vec<Dim>::Zero();            // at the time in question [m/s2]
     Function1Ptr<Eigen::Vector3d> gravityOverTime;  // null: it stays as it is
     BoundaryConditions<Dim> conditions;
 

@@ -1,6 +1,6 @@
 #pragma once
-// All that a run knows at one instant; a time folder holds exactly this, but for `appeared`. Only nodes carry history, and with elemental
-// integration the solid's cells (Cells::sigma), which last for the whole run.
+// All that a run knows at one instant; a time folder holds exactly this, but for `appeared`. Only nodes carry history,
+// and with elemental integration the solid's cells (Cells::sigma), which last for the whole run.
 
 #include <map>
 #include <string>
@@ -16,16 +16,16 @@ namespace pfem {
 template <int Dim>
 struct Nodes {
     std::vector<Id> id;
-    Points<Dim> x;                    // position [m]
-    Points<Dim> v;                    // velocity [m/s]
-    Points<Dim> a;                    // acceleration [m/s2]
-    std::vector<double> p;            // fluid pressure, positive in compression [Pa]
-    std::vector<Stress<Dim>> sigma;   // Cauchy stress of the solid patch [Pa] (elemental: mean of cells), else zero
-    Points<Dim> X;                    // reference position; D = x - X [m]
-    std::vector<double> h;            // wanted distance to the neighbours [m]
-    std::vector<double> dropVolume;   // volume carried by an isolated particle [m2 (2D), m3]
-    std::vector<double> lostVolume;   // what the fluid around the node has lost and not got back; < 0: gained
-    std::vector<int> wall;            // the wall face along which the node slides (counted over all patches) or -1
+    Points<Dim> x;                   // position [m]
+    Points<Dim> v;                   // velocity [m/s]
+    Points<Dim> a;                   // acceleration [m/s2]
+    std::vector<double> p;           // fluid pressure, positive in compression [Pa]
+    std::vector<Stress<Dim>> sigma;  // Cauchy stress of the solid patch [Pa] (elemental: mean of cells), else zero
+    Points<Dim> X;                   // reference position; D = x - X [m]
+    std::vector<double> h;           // wanted distance to the neighbours [m]
+    std::vector<double> dropVolume;  // volume carried by an isolated particle [m2 (2D), m3]
+    std::vector<double> lostVolume;  // what the fluid around the node has lost and not got back; < 0: gained
+    std::vector<int> wall;           // the wall face along which the node slides (counted over all patches) or -1
 
     int size() const { return static_cast<int>(id.size()); }
     void resize(int n);
@@ -50,13 +50,15 @@ struct State {
     TimeInfo time;
     Nodes<Dim> nodes;
     Mesh<Dim> mesh;
-    Id nextId = 0;                         // the id of the next node to be inserted
-    double approach = 0;                   // how fast surfaces that are about to meet, or have just met, close: largest -div v of the triangles between [1/s]
+    Id nextId = 0;        // the id of the next node to be inserted
+    double approach = 0;  // how fast surfaces that are about to meet, or have just met, close: largest -div v of the
+                          // triangles between [1/s]
     std::map<std::string, double> ledger;  // cumulative fluid volume by cause [m2 (2D), m3]
     /// For the eye (ledgerSolver, ...): the part of the ledger since the last time folder that each node has, by cause;
     /// empty when nobody has asked. A run that goes on begins with zeros, for it begins with a time folder.
     std::map<std::string, std::vector<double>> appeared;
-    std::map<std::string, double> energy;  // cumulative, brought in beside the equations of motion, by cause [J/m (2D), J]
+    std::map<std::string, double>
+        energy;  // cumulative, brought in beside the equations of motion, by cause [J/m (2D), J]
     std::map<std::string, std::vector<double>> memory;  // of function objects, by their name
 };
 

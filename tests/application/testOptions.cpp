@@ -73,9 +73,7 @@ TEST(Options, PositionalArguments) {
 
 TEST(Options, HelpInTwoColumns) {
     const std::string help = helpText("pfemTest", "A test.", testSpec());
-    EXPECT_NE(help.find("Usage: pfemTest [OPTIONS]\nOptions:\n  -case <dir>       Specify"),
-              std::string::npos)
-        << help;
+    EXPECT_NE(help.find("Usage: pfemTest [OPTIONS]\nOptions:\n  -case <dir>       Specify"), std::string::npos) << help;
     EXPECT_NE(help.find("\n  -help             Display"), std::string::npos) << help;
     EXPECT_EQ(help.find("--"), std::string::npos) << help;
     EXPECT_NE(help.find("Using: libpfem-"), std::string::npos);
@@ -84,25 +82,16 @@ TEST(Options, HelpInTwoColumns) {
 TEST(RunApplication, ErrorsBecomeExitCodes) {
     const TemporaryFolder folder;
     const std::string path = folder.path().string();
-    EXPECT_EQ(runWith({"-case", path.c_str()},
-                      [](const Options& o) { return o.openCase().root().empty() ? 3 : 0; }),
+    EXPECT_EQ(runWith({"-case", path.c_str()}, [](const Options& o) { return o.openCase().root().empty() ? 3 : 0; }),
               0);
     testing::internal::CaptureStderr();
-    EXPECT_EQ(
-        runWith({"-case", "/nonexist"}, [](const Options& o) { return o.openCase().root().empty() ? 3 : 0; }),
-        1);
-    EXPECT_EQ(
-        testing::internal::GetCapturedStderr(),
-        "\n\n--> FOAM FATAL ERROR:\npfemTest: cannot open case directory \"/nonexist\"\n\nFOAM exiting\n\n");
+    EXPECT_EQ(runWith({"-case", "/nonexist"}, [](const Options& o) { return o.openCase().root().empty() ? 3 : 0; }), 1);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(),
+              "\n\n--> FOAM FATAL ERROR:\npfemTest: cannot open case directory \"/nonexist\"\n\nFOAM exiting\n\n");
     testing::internal::CaptureStderr();
-    EXPECT_EQ(runWith({},
-                      [](const Options&) -> int {
-                          throw UserError("Entry 'x' not found", {"/c/d", 28});
-                      }),
-              1);
-    EXPECT_EQ(
-        testing::internal::GetCapturedStderr(),
-        "\n\n--> FOAM FATAL IO ERROR:\nEntry 'x' not found\n\nfile: /c/d at line 28.\n\nFOAM exiting\n\n");
+    EXPECT_EQ(runWith({}, [](const Options&) -> int { throw UserError("Entry 'x' not found", {"/c/d", 28}); }), 1);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(),
+              "\n\n--> FOAM FATAL IO ERROR:\nEntry 'x' not found\n\nfile: /c/d at line 28.\n\nFOAM exiting\n\n");
     for (const auto& thrower : std::vector<std::function<int(const Options&)>>{
              [](const Options&) -> int { throw StepFailure("no convergence"); },
              [](const Options&) -> int { throw InternalError("bug"); },
@@ -131,8 +120,7 @@ TEST(StartBanner, HasTheLinesOfALog) {
 class TimeSelection : public testing::Test {
 protected:
     TimeSelection() {
-        for (const char* name : {"0", "0.05", "0.1", "0.15", "0.2"})
-            writeState(folder_.path() / name, State<2>{});
+        for (const char* name : {"0", "0.05", "0.1", "0.15", "0.2"}) writeState(folder_.path() / name, State<2>{});
     }
     std::string select(std::vector<const char*> arguments) const {
         std::string names;
@@ -161,8 +149,7 @@ TEST_F(TimeSelection, IncompleteFoldersAreNamed) {
     std::filesystem::remove(folder_.path() / "0.2/fluid.vtu");
     testing::internal::CaptureStderr();
     EXPECT_EQ(select({"-latestTime"}), "0.15 ");
-    EXPECT_NE(testing::internal::GetCapturedStderr().find("0.2 is ignored: fluid.vtu is missing"),
-              std::string::npos);
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("0.2 is ignored: fluid.vtu is missing"), std::string::npos);
 }
 
 }  // namespace pfem

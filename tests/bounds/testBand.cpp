@@ -9,9 +9,7 @@ namespace {
 
 using namespace test;
 
-double part(const Study& study, const Band& band, Bracket b) {
-    return fractionWhere(study.t, band.where(b));
-}
+double part(const Study& study, const Band& band, Bracket b) { return fractionWhere(study.t, band.where(b)); }
 
 // 1 + cos: from 2 to 0 and back; a constant factor between the curves keeps their order.
 TEST(Band, brackets) {
@@ -93,8 +91,7 @@ TEST(Band, containmentOfAReference) {
         t, [](double) { return 1.0; }, [](double) { return 0.0; });
     const Band band = makeBand(study);
     std::vector<double> reference;
-    for (const double now : t)
-        reference.push_back(now < 3.5 ? 0.5 * now - 0.25 : NAN);  // inside from 0.5 to 2.5
+    for (const double now : t) reference.push_back(now < 3.5 ? 0.5 * now - 0.25 : NAN);  // inside from 0.5 to 2.5
     const Containment c = containment(t, band, reference);
     EXPECT_NEAR(c.compared, 3.5 / 4, 1e-3);
     EXPECT_NEAR(c.inside, 2.0 / 3.5, 1e-3);
@@ -131,8 +128,7 @@ TEST(Report, saysWhereTheBandDoesNotHold) {
 
 TEST(Report, spansAndMeshes) {
     EXPECT_EQ(spansText({{0, 1}, {2, 2.5}}), "0 - 1, 2 - 2.5 s");
-    EXPECT_EQ(spansText({{0, 1}, {2, 2.1}, {3, 4}, {5, 6}, {7, 8}}),
-              "0 - 1, 3 - 4, 5 - 6, 7 - 8 s; 5 spans in all");
+    EXPECT_EQ(spansText({{0, 1}, {2, 2.1}, {3, 4}, {5, 6}, {7, 8}}), "0 - 1, 3 - 4, 5 - 6, 7 - 8 s; 5 spans in all");
     EXPECT_EQ(unlikeMeshes({2, 1, 0.5}, {100, 390, 1620}), "");
     EXPECT_NE(unlikeMeshes({2, 1}, {100, 290}), "");
     EXPECT_NE(unlikeMeshes({2, 1}, {100, 510}), "");

@@ -8,13 +8,9 @@ namespace {
 
 using namespace test;
 
-double u(double t) {
-    return 3 * t - t * t;
-}
+double u(double t) { return 3 * t - t * t; }
 
-Estimate of(const Study& study) {
-    return estimate(study, makeBand(study));
-}
+Estimate of(const Study& study) { return estimate(study, makeBand(study)); }
 
 // A pure power law is extrapolated exactly, whatever its order; of order 2 without any uncertainty.
 TEST(Estimate, exactForAPowerLaw) {

@@ -24,8 +24,7 @@ TEST_F(Histories, vectorOfOneProbeOverTwoStarts) {
 }
 
 TEST_F(Histories, scalarsOfTwoProbesOneDry) {
-    put("postProcessing/sensors/0/p",
-        "# Probe 0 (0 0 0)\n# Probe 1 (0 1 0)\n#  Time\n 0 5 -1e+300\n 1 6 7\n");
+    put("postProcessing/sensors/0/p", "# Probe 0 (0 0 0)\n# Probe 1 (0 1 0)\n#  Time\n 0 5 -1e+300\n 1 6 7\n");
     const auto found = readHistories(root, "sensors", "p");
     ASSERT_EQ(found.size(), 2u);
     EXPECT_EQ(found[1].name, "1_p");

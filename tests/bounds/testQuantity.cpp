@@ -11,10 +11,9 @@ using Quantities = test::Folder;
 
 std::vector<TwinHistories> study() {
     const Curve zero{{0, 1}, {0, 0}};
-    return {{1, {{"D_x", {{0, 1}, {0, 1.4}}}, {"D_z", zero}}, {{"D_x", {{0, 1}, {0, 0.8}}}, {"D_z", zero}}},
-            {0.5,
-             {{"D_x", {{0, 0.5, 1}, {0, 0.55, 1.1}}}, {"D_z", zero}},
-             {{"D_x", {{0, 1}, {0, 0.95}}}, {"D_z", zero}}}};
+    return {
+        {1, {{"D_x", {{0, 1}, {0, 1.4}}}, {"D_z", zero}}, {{"D_x", {{0, 1}, {0, 0.8}}}, {"D_z", zero}}},
+        {0.5, {{"D_x", {{0, 0.5, 1}, {0, 0.55, 1.1}}}, {"D_z", zero}}, {{"D_x", {{0, 1}, {0, 0.95}}}, {"D_z", zero}}}};
 }
 
 TEST_F(Quantities, tableOfTheStudy) {
@@ -52,8 +51,8 @@ TEST_F(Quantities, untilATime) {
 TEST_F(Quantities, scriptNamesEveryCurve) {
     auto found = quantitiesOf("tip", study(), {{"D_x", {{0, 0.75}, {0, 0.9}}}}, {});
     const std::string script = plotScript(found[0]);
-    for (const char* text : {"set output \"tip_D_x.png\"", "nodal, h = 0.5", "elemental, h = 1",
-                             "limit and uncertainty", "1:(v(12))"})
+    for (const char* text :
+         {"set output \"tip_D_x.png\"", "nodal, h = 0.5", "elemental, h = 1", "limit and uncertainty", "1:(v(12))"})
         EXPECT_NE(script.find(text), std::string::npos) << text << "\n" << script;
     EXPECT_EQ(script.find("set object"), std::string::npos);
     found[0].band.bracket.back() = Bracket::leaves;

@@ -137,7 +137,9 @@ TEST_F(TimeControlTest, CourantNumberLimitsTheStep) {
 }
 
 TEST_F(TimeControlTest, RelativeVelocityAndCompressionLimitTheStep) {
-    write("endTime 1; deltaT 0.01; adjustTimeStep yes; maxCo 10; maxRelativeCo 0.25; maxCompression 0.5; writeControl none;");
+    write(
+        "endTime 1; deltaT 0.01; adjustTimeStep yes; maxCo 10; maxRelativeCo 0.25; maxCompression 0.5; writeControl "
+        "none;");
     TimeControl control = open();
     const TimeInfo time;
     EXPECT_NEAR(control.deltaT(time, {1, 1000}), 0.00025, 1e-18);
@@ -190,13 +192,15 @@ TEST_F(TimeControlTest, OtherControlsAtARestart) {
         double first, last;
         std::string names;  // of its folders
     };
-    const std::string fixed = "adjustTimeStep no; writeControl runTime; ", free = "adjustTimeStep yes; writeControl adjustable; ";
+    const std::string fixed = "adjustTimeStep no; writeControl runTime; ",
+                      free = "adjustTimeStep yes; writeControl adjustable; ";
     const std::string fixed1ms = fixed + "deltaT 1e-3; writeInterval 5e-3; endTime 0.02;";
     const std::string free1ms = free + "deltaT 1e-3; maxDeltaT 1e-3; writeInterval 5e-3; endTime 0.02;";
     const std::string fitted1ms = "writeControl adjustable; deltaT 1e-3; writeInterval 5e-3; endTime 0.02;";
     const Change changes[] = {
         // deltaT of fixed steps
-        {fixed1ms, fixed + "deltaT 1e-5; writeInterval 1e-4; endTime 0.0204;", 0, 40, 1e-5, 1e-5, "0.0201 0.0202 0.0203 0.0204"},
+        {fixed1ms, fixed + "deltaT 1e-5; writeInterval 1e-4; endTime 0.0204;", 0, 40, 1e-5, 1e-5,
+         "0.0201 0.0202 0.0203 0.0204"},
         {fixed1ms, fixed + "deltaT 1e-8; writeInterval 1; endTime 0.02000003;", 0, 3, 1e-8, 1e-8, "0.02000003"},
         {fixed1ms, fixed + "deltaT 0.01; writeInterval 0.02; endTime 0.05;", 0, 3, 0.01, 0.01, "0.04 0.05"},
         {fixed1ms, fixed + "deltaT 7e-4; writeInterval 7e-3; endTime 0.027;", 0, 10, 7e-4, 7e-4, "0.0214 0.027"},
@@ -208,7 +212,8 @@ TEST_F(TimeControlTest, OtherControlsAtARestart) {
         {fixed1ms, fixed1ms + "endTime 0.02000001;", 0, 1, 1e-8, 1e-8, "0.02000001"},
         {fixed1ms, fixed1ms + "endTime 0.02;", 0, 0, 0, 0, ""},
         {fixed1ms, fixed1ms + "endTime 0.01;", 0, 0, 0, 0, ""},
-        {fixed1ms + "endTime 0.0175;", fixed1ms + "endTime 0.03;", 0, 13, 5e-4, 1e-3, "0.02 0.025 0.03"},  // on the grid again
+        {fixed1ms + "endTime 0.0175;", fixed1ms + "endTime 0.03;", 0, 13, 5e-4, 1e-3,
+         "0.02 0.025 0.03"},  // on the grid again
         {free1ms, free1ms + "endTime 0.0202;", 0, 1, 2e-4, 2e-4, "0.0202"},
         {free1ms, free1ms + "endTime 0.027;", 0, 7, 1e-3, 1e-3, "0.025 0.027"},
         // writeInterval and writeControl
@@ -216,8 +221,8 @@ TEST_F(TimeControlTest, OtherControlsAtARestart) {
         {free1ms, free1ms + "writeInterval 3e-3; endTime 0.03;", 0, 10, 1e-3, 1e-3, "0.021 0.024 0.027 0.03"},
         {free1ms, free1ms + "writeInterval 25e-3; endTime 0.03;", 0, 10, 1e-3, 1e-3, "0.025 0.03"},
         {fixed1ms, fixed1ms + "writeControl timeStep; writeInterval 8; endTime 0.03;", 0, 10, 1e-3, 1e-3, "0.024 0.03"},
-        {fixed1ms, fixed1ms + "writeControl adjustable; writeInterval 25e-4; endTime 0.025;", 0, 6, 25e-4 / 3, 25e-4 / 3,
-         "0.0225 0.025"},
+        {fixed1ms, fixed1ms + "writeControl adjustable; writeInterval 25e-4; endTime 0.025;", 0, 6, 25e-4 / 3,
+         25e-4 / 3, "0.0225 0.025"},
         {fitted1ms + "writeInterval 25e-4;", fixed1ms + "endTime 0.025;", 0, 5, 1e-3, 1e-3, "0.025"},
         {fixed1ms, fixed1ms + "writeControl none; endTime 0.03;", 0, 10, 1e-3, 1e-3, "0.03"},
         // adjustTimeStep, with the limits of either
@@ -228,12 +233,14 @@ TEST_F(TimeControlTest, OtherControlsAtARestart) {
         {free1ms, free1ms + "endTime 0.025; maxDeltaT 1e-4;", 0, 50, 1e-4, 1e-4, "0.025"},
         {free1ms, free1ms + "endTime 0.025; maxCo 0.1;", 500, 25, 2e-4, 2e-4, "0.025"},
         {free1ms + "maxDeltaT 2e-4;", free1ms + "endTime 0.025;", 0, 11, 24e-5, 0, "0.025"},
-        {free1ms, free1ms + "endTime 0.025; deltaT 1e-7;", 0, 5, 1e-3, 1e-3, "0.025"},  // deltaT is the case's first step only
+        {free1ms, free1ms + "endTime 0.025; deltaT 1e-7;", 0, 5, 1e-3, 1e-3,
+         "0.025"},  // deltaT is the case's first step only
         // names
         {fixed1ms, fixed1ms + "timePrecision 1; endTime 0.03;", 0, 10, 1e-3, 1e-3, "0.025 0.03"},
         {fixed1ms, fixed1ms + "timePrecision 2; deltaT 1e-5; endTime 0.0201; writeInterval 5e-5;", 0, 10, 1e-5, 1e-5,
          "0.02005 0.0201"},
-        {fixed1ms, fixed1ms + "timeFormat scientific; timePrecision 2; endTime 0.03;", 0, 10, 1e-3, 1e-3, "2.50e-02 3.00e-02"},
+        {fixed1ms, fixed1ms + "timeFormat scientific; timePrecision 2; endTime 0.03;", 0, 10, 1e-3, 1e-3,
+         "2.50e-02 3.00e-02"},
     };
     for (const auto& change : changes) {
         TimeInfo time;
@@ -356,7 +363,8 @@ TEST_F(TimeControlTest, StartFrom) {
     write("startFrom startTime; startTime 0.3;" + rest);
     EXPECT_THROW(open(), UserError);
     for (const char* name : {"2e-10", "4e-10"}) writeState(folder_.path() / name, State<2>{});
-    write("startFrom startTime; startTime 4e-10; endTime 1e-9; deltaT 1e-11;");  // a case of nanoseconds, or in other units
+    write("startFrom startTime; startTime 4e-10; endTime 1e-9; deltaT 1e-11;");  // a case of nanoseconds, or in other
+                                                                                 // units
     EXPECT_EQ(open().startName(), "4e-10");
     for (const char* name : {"2e-10", "4e-10"}) fs::remove_all(folder_.path() / name);
     for (const char* name : {"0", "0.1", "0.25"}) fs::remove_all(folder_.path() / name);
@@ -391,8 +399,7 @@ TEST_F(TimeControlTest, PurgeKeepsTheLastAndNeverTheStart) {
 }
 
 TEST_F(TimeControlTest, EditingTheFileStopsTheRun) {
-    const std::string rest =
-        " endTime 100; deltaT 0.1; writeControl timeStep; writeInterval 5; runTimeModifiable yes;";
+    const std::string rest = " endTime 100; deltaT 0.1; writeControl timeStep; writeInterval 5; runTimeModifiable yes;";
     for (const auto& [word, steps, writes] : std::vector<std::tuple<std::string, int, bool>>{
              {"writeNow", 3, true}, {"noWriteNow", 3, false}, {"nextWrite", 5, true}}) {
         write("stopAt endTime;" + rest);

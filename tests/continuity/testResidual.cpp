@@ -40,12 +40,14 @@ struct Fluid {
         Nodes<2> middle = trial;  // in the same place, so that each term is seen alone
         if (c.controls.continuity.stabilisation != "bodyForce")
             for (int i = 0; i < n; ++i) middle.a[i] = (trial.v[i] - old.v[i]) / dt;
-        return continuityResidual<2>(c.problem, c.controls.continuity, c.state.mesh.fluid, topology, patches,
-                                     viscosities(), {tau, projectedCells<2>(c.controls.continuity, c.problem, c.state.mesh.fluid, topology, old)}, trial, middle,
-                                     old, dt, divTarget);
+        return continuityResidual<2>(
+            c.problem, c.controls.continuity, c.state.mesh.fluid, topology, patches, viscosities(),
+            {tau, projectedCells<2>(c.controls.continuity, c.problem, c.state.mesh.fluid, topology, old)}, trial,
+            middle, old, dt, divTarget);
     }
     std::vector<double> viscosities() const {
-        return std::vector<double>(c.state.mesh.fluid.size(), c.problem.materials[c.state.mesh.fluid.material[0]].fluid.mu);
+        return std::vector<double>(c.state.mesh.fluid.size(),
+                                   c.problem.materials[c.state.mesh.fluid.material[0]].fluid.mu);
     }
 };
 
@@ -72,14 +74,16 @@ TEST(ContinuityResidual, derivativeWithRespectToPressure) {
         const auto g = simplexGeometry<2>(trial.x, cell);
         for (int k = 0; k < 3; ++k) {
             expected[cell[k]] += g.measure / 3 / (1e5 * dt) * q[cell[k]];
-            for (int l = 0; l < 3; ++l) expected[cell[k]] += f.tau[e] * g.measure * g.gradN[k].dot(g.gradN[l]) * q[cell[l]];
+            for (int l = 0; l < 3; ++l)
+                expected[cell[k]] += f.tau[e] * g.measure * g.gradN[k].dot(g.gradN[l]) * q[cell[l]];
         }
     }
     for (const auto& face : f.topology.faces) {
         if (face.kind != FaceKind::freeSurface) continue;
         const double length = (trial.x[face.nodes[1]] - trial.x[face.nodes[0]]).norm();
         const double height = 2 * f.patches.element[face.cell].measure / length;
-        for (int node : face.nodes) surface[node] += tauN(f.tau[face.cell], 3, height) * 2 / height * length / 2 * q[node];
+        for (int node : face.nodes)
+            surface[node] += tauN(f.tau[face.cell], 3, height) * 2 / height * length / 2 * q[node];
     }
     double part = 0;
     for (int i = 0; i < f.n; ++i) {
@@ -89,7 +93,8 @@ TEST(ContinuityResidual, derivativeWithRespectToPressure) {
     EXPECT_GT(part, 1e-7);
 }
 
-// The projected stabilisation cannot give energy to any flow: symmetric, q . S q >= 0, nothing for a linear pressure, and no volume in the sum.
+// The projected stabilisation cannot give energy to any flow: symmetric, q . S q >= 0, nothing for a linear pressure,
+// and no volume in the sum.
 TEST(ContinuityResidual, projectionIsSymmetricAndPositive) {
     Fluid f(irregularPair());
     ASSERT_EQ(f.c.controls.continuity.stabilisation, "projection");
@@ -98,7 +103,8 @@ TEST(ContinuityResidual, projectionIsSymmetricAndPositive) {
     std::mt19937 random(9);
     std::uniform_real_distribution<double> factor(0.5, 2);
     for (double& t : f.tau) t *= factor(random);  // different in each cell
-    const auto projected = projectedCells<2>(f.c.controls.continuity, f.c.problem, f.c.state.mesh.fluid, f.topology, f.c.state.nodes);
+    const auto projected =
+        projectedCells<2>(f.c.controls.continuity, f.c.problem, f.c.state.mesh.fluid, f.topology, f.c.state.nodes);
     for (int e = 0; e < f.patches.nCells(); ++e)
         if (!projected[e]) f.tau[e] = 0;  // beside the solid and at corners: not of this kind
     EXPECT_GT(std::count(projected.begin(), projected.end(), 1), 0.7 * f.patches.nCells());
@@ -171,7 +177,8 @@ TEST(ContinuityResidual, exactStatesHaveNone) {
                          " (1 0) (0 0) (0 0.5) (-0.2 0.5)); } );",
                      water + rubber, ""));
     EXPECT_EQ(std::count_if(f.topology.faces.begin(), f.topology.faces.end(),
-                            [](const auto& face) { return face.kind == FaceKind::interface; }), 20);
+                            [](const auto& face) { return face.kind == FaceKind::interface; }),
+              20);
     const double scale = f.tau[0] * 1000 * 9.81;
     for (const char* stabilisation : {"projection", "inertia", "bodyForce"})
         for (const double a : {0.0, 4.0, -9.81}) {  // at rest, pushed up, falling
@@ -218,11 +225,12 @@ TEST(ContinuityResidual, freeSurfaceStates) {
     }
 }
 
-// However flat the cells of a thick fluid are, where it swells across its surface the residual is a swelling, or nothing in cells that are
-// alone around a node.
+// However flat the cells of a thick fluid are, where it swells across its surface the residual is a swelling, or
+// nothing in cells that are alone around a node.
 TEST(ContinuityResidual, theSurfaceDoesNotOutweighTheDivergence) {
-    TestCase film = makeCase("meshSize 0.1; bodies ( water { type fluid; material syrup; " + rectangle(0, 0, 1, 0.1) + " } );",
-                             "syrup { type newtonian; rho 1000; mu 3000; }", "", Vec<2>::Zero());
+    TestCase film =
+        makeCase("meshSize 0.1; bodies ( water { type fluid; material syrup; " + rectangle(0, 0, 1, 0.1) + " } );",
+                 "syrup { type newtonian; rho 1000; mu 3000; }", "", Vec<2>::Zero());
     for (auto& x : film.state.nodes.x) x[1] *= 0.2;
     Fluid f(film);
     Nodes<2> trial = f.c.state.nodes;
@@ -234,7 +242,8 @@ TEST(ContinuityResidual, theSurfaceDoesNotOutweighTheDivergence) {
 TEST(Stabilisation, formula) {
     Fluid f(irregularPair());
     std::fill(f.c.state.nodes.v.begin(), f.c.state.nodes.v.end(), Vec<2>(3, 4));
-    const auto tau = stabilisation<2>(f.c.problem, f.c.state.mesh.fluid, f.patches, f.viscosities(), f.c.state.nodes.v, dt);
+    const auto tau =
+        stabilisation<2>(f.c.problem, f.c.state.mesh.fluid, f.patches, f.viscosities(), f.c.state.nodes.v, dt);
     for (int e = 0; e < f.patches.nCells(); ++e) {
         const double h2 = 2 * f.patches.element[e].measure;
         EXPECT_NEAR(1 / tau[e], 8 * 3 / h2 + 1000 / dt + 1000 * 5 / std::sqrt(h2), 1e-6);

@@ -43,13 +43,16 @@ struct Coupled {
         const auto more = solidMass<2>(c.problem, c.state.mesh.solid, x);
         for (int i = 0; i < n; ++i) mass[i] += more[i];
         return pfem::solidMatrix<2>(c.problem, {}, c.state.mesh.solid, solid, dofs,
-                                    matrixInertia<2>(mass, Points<2>(mass.size(), Vec<2>::Zero()), newmark), c.state.nodes.h, newmark);
+                                    matrixInertia<2>(mass, Points<2>(mass.size(), Vec<2>::Zero()), newmark),
+                                    c.state.nodes.h, newmark);
     }
     std::vector<unsigned char> projected(const ContinuityControls& controls) const {
         return projectedCells<2>(controls, c.problem, c.state.mesh.fluid, topology, c.state.nodes);
     }
     ContinuitySystem<2> system(const ContinuityControls& controls) const {
-        return {c.problem, controls, c.state.mesh.fluid, topology, constraints, fluid, mu, {tau, projected(controls)}, x, dofs, A, newmark};
+        return {c.problem, controls, c.state.mesh.fluid,         topology, constraints,
+                fluid,     mu,       {tau, projected(controls)}, x,        dofs,
+                A,         newmark};
     }
     /// R_c of pressure p and velocities v without gravity.
     std::vector<double> residual(const std::vector<double>& stabilisationTime, const std::vector<double>& p,
@@ -59,8 +62,9 @@ struct Coupled {
         Nodes<2> trial = c.state.nodes;
         trial.p = p;
         trial.v = v;
-        return continuityResidual<2>(problem, exactly(), c.state.mesh.fluid, topology, fluid, mu, {stabilisationTime, projected(exactly())}, trial, trial,
-                                     c.state.nodes, newmark.dt, 0);
+        return continuityResidual<2>(problem, exactly(), c.state.mesh.fluid, topology, fluid, mu,
+                                     {stabilisationTime, projected(exactly())}, trial, trial, c.state.nodes, newmark.dt,
+                                     0);
     }
     Points<2> still() const { return Points<2>(n, Vec<2>::Zero()); }
 };
@@ -76,8 +80,8 @@ TEST(ContinuitySystem, isTheDerivativeOfTheResidual) {
     for (int i = 0; i < s.n; ++i) {
         if (s.topology.wet(i)) {
             EXPECT_NEAR(change[i] + R[i], 0, 1e-9);
-        }
-        else EXPECT_EQ(dp[i], 0);
+        } else
+            EXPECT_EQ(dp[i], 0);
     }
 }
 
@@ -108,8 +112,8 @@ TEST(ContinuitySystem, schurTermIsALargerStabilisation) {
         }
 }
 
-// K_p dp + (c_s B A_s^-1 B^T dp + c_f B m^-1 B^T dp)/gamma = -R: with a dense elimination of the velocities of the elastic
-// interface and of the free surface.
+// K_p dp + (c_s B A_s^-1 B^T dp + c_f B m^-1 B^T dp)/gamma = -R: with a dense elimination of the velocities of the
+// elastic interface and of the free surface.
 TEST(ContinuitySystem, complianceOfTheMovingBoundary) {
     Coupled s;
     s.c.problem.gravity.setZero();  // no surfaceStiffness

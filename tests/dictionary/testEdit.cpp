@@ -64,8 +64,7 @@ TEST(Edit, SetChangesTheValueAlone) {
 TEST(Edit, SetAddsWhatIsMissing) {
     EXPECT_EQ(setEntry(text, {"new"}, "5", "f"), with("empty {}\n", "empty {}\nnew             5;\n"));
     EXPECT_EQ(setEntry(text, {"sub", "new"}, "5", "f"), with("h 3;", "h 3; new             5;"));
-    EXPECT_EQ(setEntry(text, {"empty", "new"}, "5", "f"),
-              with("empty {}", "empty {\n    new             5;\n}"));
+    EXPECT_EQ(setEntry(text, {"empty", "new"}, "5", "f"), with("empty {}", "empty {\n    new             5;\n}"));
     EXPECT_EQ(addEntry("a { b 1; // c\n}\n", {"a", "d"}, "{ e 1; }", "f"), "a { b 1; // c\nd { e 1; }\n}\n");
     EXPECT_EQ(addEntry("a\n{\n    b 1; // c\n}\n", {"a", "d"}, "2", "f"),
               "a\n{\n    b 1; // c\n    d               2;\n}\n");
@@ -76,8 +75,7 @@ TEST(Edit, SetAddsWhatIsMissing) {
 TEST(Edit, RemoveTakesTheLine) {
     EXPECT_EQ(removeEntry(text, {"sub", "g"}, "f"), with("    g   (0 -9.81 0);   // gravity\n", ""));
     EXPECT_EQ(removeEntry(text, {"sub", "deep", "x"}, "f"), with("x 1;", ""));
-    EXPECT_EQ(removeEntry(removeEntry(text, {"a"}, "f"), {"empty"}, "f").find("a "), text.find("a 9;"))
-        << "both";
+    EXPECT_EQ(removeEntry(removeEntry(text, {"a"}, "f"), {"empty"}, "f").find("a "), text.find("a 9;")) << "both";
     EXPECT_EQ(removeEntry("a 1;", {"a"}, "f"), "");
 }
 

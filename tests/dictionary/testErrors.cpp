@@ -33,8 +33,7 @@ Read get(const std::string& key) {
 
 TEST(Errors, missingSemicolon) {
     const std::string text = "startTime 0;\ndeltaT 0.001\nwriteControl adjustable;\nend 1;\n";
-    expectError(text, 2,
-                "Entry 'deltaT' has 2 excess tokens in stream\n\n    3(0.001 writeControl adjustable)",
+    expectError(text, 2, "Entry 'deltaT' has 2 excess tokens in stream\n\n    3(0.001 writeControl adjustable)",
                 get<double>("deltaT"));
     expectError(text, 2, "missing ';' at the end of line 2 ?", get<double>("deltaT"));
     expectError(text, 3, "missing ';' before line 3 ?", get<std::string>("writeControl"));
@@ -70,19 +69,22 @@ TEST(Errors, unendedTexts) {
 
 TEST(Errors, patternsThatWouldTakeAllMemory) {
     expectError("x 1;\n\"a" + std::string(40, '+') + "\" 1;", 2, "is too large");
-    expectError("x 1;\n\"" + std::string(20, '(') + "a" + [] {
-        std::string text;
-        for (int i = 0; i < 20; ++i) text += ")+";
-        return text;
-    }() + "\" 1;", 2, "is too large");
+    expectError(
+        "x 1;\n\"" + std::string(20, '(') + "a" +
+            [] {
+                std::string text;
+                for (int i = 0; i < 20; ++i) text += ")+";
+                return text;
+            }() +
+            "\" 1;",
+        2, "is too large");
     EXPECT_EQ(Dictionary::parse("\"(a+)+b+c+d+.+\" 3;").get<int>("aabcdx"), 3);
 }
 
 TEST(Errors, types) {
     expectError("a 1;\nb abc;", 2, "Wrong token type - expected scalar value, found on line 2: word 'abc'",
                 get<double>("b"));
-    for (const char* bad :
-         {"1.0abc", "1e", "1.2.3", "(1 2)", "nan", "inf", "-inf", "1e999", "1,5", "\"1\"", "{}"}) {
+    for (const char* bad : {"1.0abc", "1e", "1.2.3", "(1 2)", "nan", "inf", "-inf", "1e999", "1,5", "\"1\"", "{}"}) {
         expectError("x 1;\nb " + std::string(bad) + ";", 2,
                     bad[0] == '{'               ? ""
                     : bad == std::string("1,5") ? "excess"
@@ -99,8 +101,7 @@ TEST(Errors, types) {
     expectError("a constant/foo;", 1, "excess", get<std::string>("a"));
     expectError("a (1 2);", 1, "vector of 3 components", get<Eigen::Vector3d>("a"));
     expectError("a (1 2 3 4);", 1, "vector of 3 components", get<Eigen::Vector3d>("a"));
-    expectError("a\n(\n1\nx\n);", 4, "expected scalar value, found on line 4: word 'x'",
-                get<std::vector<double>>("a"));
+    expectError("a\n(\n1\nx\n);", 4, "expected scalar value, found on line 4: word 'x'", get<std::vector<double>>("a"));
     expectError("a 1;", 1, "expected list", get<std::vector<double>>("a"));
     expectError("a 3(1 2);", 1, "list of 2 elements is announced as one of 3", get<std::vector<double>>("a"));
     expectError("a 1000000000000{0};", 1, "too long", get<std::vector<double>>("a"));

@@ -37,14 +37,16 @@ void expectFunction(const std::string& entry, F f, D derivative, I antiderivativ
 
 TEST(Function1, constant) {
     for (const char* entry : {"2.5;", "constant 2.5;", "{ type constant; value 2.5; }"})
-        expectFunction(entry, [](double) { return 2.5; }, [](double) { return 0.0; }, [](double t) { return 2.5 * t; });
+        expectFunction(
+            entry, [](double) { return 2.5; }, [](double) { return 0.0; }, [](double t) { return 2.5 * t; });
 }
 
 TEST(Function1, polynomial) {
-    for (const char* entry : {"polynomial ((3 0) (-2 1) (0.5 3));", "{ type polynomial; coeffs ((3 0) (-2 1) (0.5 3)); }"})
-        expectFunction(entry, [](double t) { return 3 - 2 * t + 0.5 * t * t * t; },
-                       [](double t) { return -2 + 1.5 * t * t; },
-                       [](double t) { return 3 * t - t * t + 0.125 * t * t * t * t; }, 1e-10);
+    for (const char* entry :
+         {"polynomial ((3 0) (-2 1) (0.5 3));", "{ type polynomial; coeffs ((3 0) (-2 1) (0.5 3)); }"})
+        expectFunction(
+            entry, [](double t) { return 3 - 2 * t + 0.5 * t * t * t; }, [](double t) { return -2 + 1.5 * t * t; },
+            [](double t) { return 3 * t - t * t + 0.125 * t * t * t * t; }, 1e-10);
 }
 
 TEST(Function1, derivativeOfFormulasInAllUnitsOfTime) {
@@ -61,10 +63,12 @@ TEST(Function1, derivativeOfFormulasInAllUnitsOfTime) {
 }
 
 TEST(Function1, expression) {
-    for (const char* entry : {"expression \"0.2*sin(3*t) + t^2\";", "{ type expression; expression \"0.2*sin(3*t) + t^2\"; }"})
-        expectFunction(entry, [](double t) { return 0.2 * std::sin(3 * t) + t * t; },
-                       [](double t) { return 0.6 * std::cos(3 * t) + 2 * t; },
-                       [](double t) { return -0.2 / 3 * std::cos(3 * t) + t * t * t / 3; }, 3e-9);
+    for (const char* entry :
+         {"expression \"0.2*sin(3*t) + t^2\";", "{ type expression; expression \"0.2*sin(3*t) + t^2\"; }"})
+        expectFunction(
+            entry, [](double t) { return 0.2 * std::sin(3 * t) + t * t; },
+            [](double t) { return 0.6 * std::cos(3 * t) + 2 * t; },
+            [](double t) { return -0.2 / 3 * std::cos(3 * t) + t * t * t / 3; }, 3e-9);
     EXPECT_NEAR(scalar("expression \"t^1.5\";")->derivative(0), 0, 0.02);  // no value before t = 0
 }
 
@@ -72,9 +76,10 @@ TEST(Function1, sine) {
     const double omega = 2 * pi * 0.5;
     for (const char* entry : {"{ type sine; frequency 0.5; start 0.2; amplitude 3; scale 2; level 1; }",
                               "{ type sine; period 2; t0 0.2; amplitude constant 3; scale 2; level 1; }"})
-        expectFunction(entry, [&](double t) { return 1 + 6 * std::sin(omega * (t - 0.2)); },
-                       [&](double t) { return 6 * omega * std::cos(omega * (t - 0.2)); },
-                       [&](double t) { return t - 6 / omega * std::cos(omega * (t - 0.2)); }, 1e-10);
+        expectFunction(
+            entry, [&](double t) { return 1 + 6 * std::sin(omega * (t - 0.2)); },
+            [&](double t) { return 6 * omega * std::cos(omega * (t - 0.2)); },
+            [&](double t) { return t - 6 / omega * std::cos(omega * (t - 0.2)); }, 1e-10);
     const auto growing = scalar("{ type sine; frequency 0.5; amplitude polynomial ((1 1)); }");  // t sin(pi t)
     EXPECT_NEAR(growing->value(0.7), 0.7 * std::sin(0.7 * pi), 1e-14);
     EXPECT_NEAR(growing->derivative(0.7), std::sin(0.7 * pi) + 0.7 * pi * std::cos(0.7 * pi), 1e-13);
@@ -89,9 +94,10 @@ TEST(Function1, square) {
 }
 
 TEST(Function1, scale) {
-    expectFunction("{ type scale; scale polynomial ((1 1)); value polynomial ((2 1) (1 0)); }",
-                   [](double t) { return 2 * t * t + t; }, [](double t) { return 4 * t + 1; },
-                   [](double t) { return 2 * t * t * t / 3 + t * t / 2; }, 1e-10);
+    expectFunction(
+        "{ type scale; scale polynomial ((1 1)); value polynomial ((2 1) (1 0)); }",
+        [](double t) { return 2 * t * t + t; }, [](double t) { return 4 * t + 1; },
+        [](double t) { return 2 * t * t * t / 3 + t * t / 2; }, 1e-10);
 }
 
 // 0 at t = 0, up to 2 at t = 1, down to 1 at t = 3.
@@ -102,8 +108,9 @@ double area(double t) { return t < 1 ? t * t : 1 + 2.5 * (t - 1) - 0.25 * (t * t
 
 TEST(Function1, tableClamped) {
     for (const std::string& entry : {"table " + points + ";", "{ type table; values " + points + "; }"})
-        expectFunction(entry, [](double t) { return t > 3 ? 1 : ramp(t); }, [](double t) { return t > 3 ? 0 : slope(t); },
-                       [](double t) { return t > 3 ? area(3) + t - 3 : area(t); });
+        expectFunction(
+            entry, [](double t) { return t > 3 ? 1 : ramp(t); }, [](double t) { return t > 3 ? 0 : slope(t); },
+            [](double t) { return t > 3 ? area(3) + t - 3 : area(t); });
     EXPECT_EQ(scalar("table " + points + ";")->value(-1), 0);
     EXPECT_EQ(scalar("table " + points + ";")->derivative(1), -0.5);  // of the piece that follows
     EXPECT_EQ(scalar("table ((1 7));")->value(3), 7);
@@ -112,9 +119,9 @@ TEST(Function1, tableClamped) {
 TEST(Function1, tableRepeated) {
     const auto cycles = [](double t) { return std::floor(t / 3); };
     const auto inside = [](double t) { return t - 3 * std::floor(t / 3); };
-    expectFunction("{ type table; values " + points + "; outOfBounds repeat; }", [&](double t) { return ramp(inside(t)); },
-                   [&](double t) { return slope(inside(t)); },
-                   [&](double t) { return cycles(t) * area(3) + area(inside(t)); });
+    expectFunction(
+        "{ type table; values " + points + "; outOfBounds repeat; }", [&](double t) { return ramp(inside(t)); },
+        [&](double t) { return slope(inside(t)); }, [&](double t) { return cycles(t) * area(3) + area(inside(t)); });
 }
 
 TEST(Function1, tableFile) {
@@ -136,8 +143,10 @@ TEST(Function1, vectors) {
     EXPECT_EQ(vector("polynomial (((1 0 2) (2 0 1)));")->value(3), Vector(9, 0, 6));
     EXPECT_EQ(vector("polynomial (((1 0 2) (2 0 1)));")->derivative(3), Vector(6, 0, 2));
     EXPECT_EQ(vector("expression (\"t\" \"2*t\" \"0\");")->value(3), Vector(3, 6, 0));
-    EXPECT_LT((vector("{ type sine; frequency 1; scale (0.1 0 0.2); level (1 0 0); }")->value(0.25) - Vector(1.1, 0, 0.2)).norm(),
-              1e-15);
+    EXPECT_LT(
+        (vector("{ type sine; frequency 1; scale (0.1 0 0.2); level (1 0 0); }")->value(0.25) - Vector(1.1, 0, 0.2))
+            .norm(),
+        1e-15);
     EXPECT_EQ(vector("{ type scale; scale table ((0 0) (1 1)); value (2 0 0); }")->value(0.5), Vector(1, 0, 0));
 }
 
@@ -186,11 +195,11 @@ TEST(Function1, zOfAPlaneCase) {
     for (const char* z : {"0", "-9.81"}) {
         const int expected = z == std::string("0") ? 0 : 2;
         const auto with = [&](std::string entry) { return entry.replace(entry.find('#'), 1, z); };
-        for (const char* entry :
-             {"(1 0 #);", "constant (1 0 #);", "{ type constant; value (1 0 #); }", "table ((0 (1 0 0)) (1 (0 0 #)));",
-              "polynomial (((1 0 #) (0 0 2)));", "expression (\"t\" \"0\" \"#*t\");", "{ type sine; frequency 1; scale (1 0 #); }",
-              "{ type square; frequency 1; scale (1 0 0); level (0 0 #); }",
-              "{ type scale; scale table ((0 0) (1 1)); value (1 0 #); }"})
+        for (const char* entry : {"(1 0 #);", "constant (1 0 #);", "{ type constant; value (1 0 #); }",
+                                  "table ((0 (1 0 0)) (1 (0 0 #)));", "polynomial (((1 0 #) (0 0 2)));",
+                                  "expression (\"t\" \"0\" \"#*t\");", "{ type sine; frequency 1; scale (1 0 #); }",
+                                  "{ type square; frequency 1; scale (1 0 0); level (0 0 #); }",
+                                  "{ type scale; scale table ((0 0) (1 1)); value (1 0 #); }"})
             EXPECT_EQ(line(with(entry)), expected) << with(entry);
     }
 }

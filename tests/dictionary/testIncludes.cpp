@@ -75,7 +75,8 @@ TEST_F(Includes, byteOrderMarks) {
     write("marked", mark + "x 1;\n");
     EXPECT_EQ(expanded(mark + "#include \"marked\"\ny 2;"), "x 1; y 2;");
     write("table", mark + "((0 1) (1 3))");
-    const auto f = readFunction1<double>(Dictionary::read(write("main", mark + "f { type tableFile; file \"table\"; }")), "f");
+    const auto f =
+        readFunction1<double>(Dictionary::read(write("main", mark + "f { type tableFile; file \"table\"; }")), "f");
     EXPECT_EQ(f->value(0.5), 2);
     write("wide", std::string("\xFF\xFEx\0;\0", 6));
     expectError("#include \"wide\"", "main", 1, "UTF-16");
@@ -91,8 +92,7 @@ TEST_F(Includes, optionalAndEtc) {
     write("etc/caseDicts/postProcessing/residuals", "residuals { type residuals; }");
     EXPECT_EQ(expanded("functions {\n#includeFunc residuals(p, U)\n}"),
               "functions { residuals(p,U) { type residuals; fields ( p U ); } }");
-    EXPECT_EQ(expanded("functions {\n#includeFunc residuals\n}"),
-              "functions { residuals { type residuals; } }");
+    EXPECT_EQ(expanded("functions {\n#includeFunc residuals\n}"), "functions { residuals { type residuals; } }");
     write("mag", "type mag; field x; scale 1;");
     EXPECT_EQ(expanded("#includeFunc mag(U, scale=2)\n"),
               "mag(U,scale=2) { type mag; field U; scale 2; fields ( U ); }");
@@ -158,11 +158,9 @@ TEST(Hostile, depthIsLimited) {
     EXPECT_THROW(Dictionary::parse("\"((((a{200}){200}){200}){200})\" 1;"), UserError);
     EXPECT_THROW(Dictionary::parse("\"" + repeated("(", 3000) + "\" 1;"), UserError);
     // copying a growing dictionary into itself, deeper and deeper
-    EXPECT_THROW(Dictionary::parse("a { x 1; }\n" + repeated("b { c { $a; } } a { d { $b; } }\n", 300)),
-                 UserError);
-    EXPECT_NO_THROW(
-        Dictionary::parse("\"(a|aa)*b\" 1; " + repeated("x $aaaaaaaaaaaaaaaaaaaaaaaaaaaaab.c:-;", 0))
-            .found(std::string(200, 'a')));
+    EXPECT_THROW(Dictionary::parse("a { x 1; }\n" + repeated("b { c { $a; } } a { d { $b; } }\n", 300)), UserError);
+    EXPECT_NO_THROW(Dictionary::parse("\"(a|aa)*b\" 1; " + repeated("x $aaaaaaaaaaaaaaaaaaaaaaaaaaaaab.c:-;", 0))
+                        .found(std::string(200, 'a')));
 }
 
 TEST(Hostile, everyPrefixOfAFileIsReadOrRefused) {
@@ -173,8 +171,7 @@ TEST(Hostile, everyPrefixOfAFileIsReadOrRefused) {
         "#if $a > 0\nk 1;\n#else\nl 2;\n#endif\n#remove (a \"b.*\")\n#inputMode merge\nm -$e; n $:e; o "
         "\"${${a}}\";\n";
     for (std::size_t n = 0; n <= text.size(); ++n) {
-        for (const char extra :
-             {'\0', '{', '}', '(', ')', '[', ']', '"', '$', '#', ';', '\\', '/', '\n', '-', '<'}) {
+        for (const char extra : {'\0', '{', '}', '(', ')', '[', ']', '"', '$', '#', ';', '\\', '/', '\n', '-', '<'}) {
             for (const std::string& rest : {std::string(), text.substr(n)}) {
                 try {
                     const auto d = Dictionary::parse(text.substr(0, n) + extra + rest);

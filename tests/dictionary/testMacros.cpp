@@ -63,8 +63,7 @@ TEST(Macros, copiesAreIndependent) {
 
 TEST(Macros, conditions) {
     EXPECT_EQ(expanded("a 3;\n#if $a\nb 1;\n#else\nb 2;\n#endif\nc 1;"), "a 3; b 1; c 1;");
-    EXPECT_EQ(expanded("#if off\nb 1;\n#if on\nx 1;\n#else\ny 1;\n#endif\n#else\nb 2;\n#endif\nc 1;"),
-              "b 2; c 1;");
+    EXPECT_EQ(expanded("#if off\nb 1;\n#if on\nx 1;\n#else\ny 1;\n#endif\n#else\nb 2;\n#endif\nc 1;"), "b 2; c 1;");
     EXPECT_EQ(expanded("a 3;\n#if $a > 2 && $a < 5\nb 1;\n#endif"), "a 3; b 1;");
     EXPECT_EQ(expanded("a 3;\n#if #eval{ $a > 5 }\nb 1;\n#endif"), "a 3;");
     EXPECT_EQ(expanded("m air;\n#ifeq $m air\nb 1;\n#else\nb 2;\n#endif"), "m air; b 1;");
@@ -73,8 +72,7 @@ TEST(Macros, conditions) {
 
 TEST(Macros, removeAndInputMode) {
     EXPECT_EQ(expanded("a 1; b1 2; b2 3; c 4;\n#remove a\n#remove (\"b.*\" d)\n"), "c 4;");
-    EXPECT_EQ(expanded("#inputMode protect\na 1; a 2;\n#inputMode overwrite\ns {a 1;} s {b 1;}"),
-              "a 1; s { b 1; }");
+    EXPECT_EQ(expanded("#inputMode protect\na 1; a 2;\n#inputMode overwrite\ns {a 1;} s {b 1;}"), "a 1; s { b 1; }");
     EXPECT_THROW(expanded("#inputMode error\na 1; a 2;"), UserError);
 }
 
@@ -100,10 +98,8 @@ TEST(Print, styleAndRoundTrip) {
 }
 
 TEST(Eval, scalars) {
-    EXPECT_EQ(expanded("a -2; b #eval \"3-$a\"; c #eval{ sin(pi()/2) }; d #calc \"sqr(3)\";"),
-              "a -2; b 5; c 1; d 9;");
-    EXPECT_EQ(expanded("b #eval #{ 1 + 2 #}; c #eval \"${x:-4}/8\"; d (#eval \"1+1\" 3);"),
-              "b 3; c 0.5; d ( 2 3 );");
+    EXPECT_EQ(expanded("a -2; b #eval \"3-$a\"; c #eval{ sin(pi()/2) }; d #calc \"sqr(3)\";"), "a -2; b 5; c 1; d 9;");
+    EXPECT_EQ(expanded("b #eval #{ 1 + 2 #}; c #eval \"${x:-4}/8\"; d (#eval \"1+1\" 3);"), "b 3; c 0.5; d ( 2 3 );");
     EXPECT_EQ(expanded("a 1; b #eval{ $a > 0 ? 10 : 20 }; c #eval \"degToRad(180)/pi\";"), "a 1; b 10; c 1;");
     for (const char* bad : {"1/0", "log(-1)", "", "1+", "nope", "nope(1)", "1,2", "((1)"}) {
         EXPECT_THROW(evaluateScalar(bad, {}), UserError) << bad;
@@ -114,10 +110,8 @@ TEST(Eval, vectors) {
     EXPECT_EQ(expanded("v (1 -2 -3); w #eval \"2*$v + vector(1,0,0)\"; n #eval \"mag(vector(3,4,0))\";"),
               "v ( 1 -2 -3 ); w ( 3 -4 -6 ); n 5;");
     EXPECT_EQ(expanded("a #eval{ (1 0 0) ^ (0 1 0) }; b #eval{ (1 2 3) & (4 5 6) };"), "a ( 0 0 1 ); b 32;");
-    EXPECT_EQ(expanded("a #eval{ -(1 2 3)/2 }; b #eval{ (sin(0) 1+1 -2) };"),
-              "a ( -0.5 -1 -1.5 ); b ( 0 2 -2 );");
-    for (const char* bad :
-         {"(1 2 3) + 1", "(1 2 3)*(1 2 3)", "(1 2)", "vector(1,2)", "(1 2 3", "(1 2 3) x"}) {
+    EXPECT_EQ(expanded("a #eval{ -(1 2 3)/2 }; b #eval{ (sin(0) 1+1 -2) };"), "a ( -0.5 -1 -1.5 ); b ( 0 2 -2 );");
+    for (const char* bad : {"(1 2 3) + 1", "(1 2 3)*(1 2 3)", "(1 2)", "vector(1,2)", "(1 2 3", "(1 2 3) x"}) {
         EXPECT_THROW(evaluateVector(bad, {}), UserError) << bad;
     }
 }

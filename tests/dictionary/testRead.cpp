@@ -126,8 +126,7 @@ TEST(Read, choice) {
         d.choice("writeControl", valid);
         FAIL();
     } catch (const UserError& error) {
-        EXPECT_NE(std::string(error.what()).find("3\n(\nadjustable\nrunTime\ntimeStep\n)"),
-                  std::string::npos);
+        EXPECT_NE(std::string(error.what()).find("3\n(\nadjustable\nrunTime\ntimeStep\n)"), std::string::npos);
     }
 }
 

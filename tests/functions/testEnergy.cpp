@@ -11,7 +11,20 @@ using namespace test;
 
 namespace {
 
-enum Column { time, kinetic, elastic, potential, total, viscous, damper, workWalls, workLoads, remeshing, volume, numerical };
+enum Column {
+    time,
+    kinetic,
+    elastic,
+    potential,
+    total,
+    viscous,
+    damper,
+    workWalls,
+    workLoads,
+    remeshing,
+    volume,
+    numerical
+};
 
 /// Advance with the function watching.
 void run(TestCase& c, FunctionObjects<2>& functions, double dt, int steps) {
@@ -52,10 +65,11 @@ TEST(Energy, ClosesOnTheCantilever) {
 TEST(Energy, NumericalDissipationFallsWithMeshAndStep) {
     // a tilted surface that swings back, in parts of the energy of the tilt, rho g a^2 L/6
     const auto lost = [](double h, double dt, double gamma, double returnTime) {
-        TestCase c = makeCase("meshSize " + std::to_string(h) +
-                                  "; bodies ( water { type fluid; material water; vertices ((0 0) (1 0) (1 0.48) (0 0.52)); } );"
-                                  " walls ( tank { points ((0 0.8) (0 0) (1 0) (1 0.8)); } );",
-                              water, "tank { type slip; }");
+        TestCase c =
+            makeCase("meshSize " + std::to_string(h) +
+                         "; bodies ( water { type fluid; material water; vertices ((0 0) (1 0) (1 0.48) (0 0.52)); } );"
+                         " walls ( tank { points ((0 0.8) (0 0) (1 0) (1 0.8)); } );",
+                     water, "tank { type slip; }");
         c.controls.timeIntegration.gamma = gamma;
         c.controls.continuity.volumeReturnTime = returnTime;
         c.start(dt);
@@ -66,8 +80,8 @@ TEST(Energy, NumericalDissipationFallsWithMeshAndStep) {
     const double coarse = lost(0.1, 0.01, 0.5, 0.02), fine = lost(0.05, 0.01, 0.5, 0.02);
     // without the return of lost volume, which lifts the surface and so feeds energy
     const double slow = lost(0.1, 0.02, 1, 0), quick = lost(0.1, 0.01, 1, 0);
-    std::cout << "trapezoidal, h 0.1 / 0.05: " << coarse << " / " << fine << ", backward Euler, dt 0.02 / 0.01: " << slow << " / "
-              << quick << "\n";
+    std::cout << "trapezoidal, h 0.1 / 0.05: " << coarse << " / " << fine
+              << ", backward Euler, dt 0.02 / 0.01: " << slow << " / " << quick << "\n";
     EXPECT_LT(std::abs(fine), 0.6 * std::abs(coarse));
     EXPECT_NEAR(quick / slow, 0.55, 0.1);
 }
@@ -88,16 +102,18 @@ TEST(Energy, RemeshingAndVolumeStandApart) {
     };
     const auto [apartLong, numericalLong] = run(4e-3);
     const auto [apartShort, numericalShort] = run(1e-3);
-    std::cout << "steps of 4 / 1 ms: remeshing and volume " << apartLong << " / " << apartShort << ", numerical " << numericalLong
-              << " / " << numericalShort << " J/m\n";
+    std::cout << "steps of 4 / 1 ms: remeshing and volume " << apartLong << " / " << apartShort << ", numerical "
+              << numericalLong << " / " << numericalShort << " J/m\n";
     EXPECT_GT(numericalShort, 0);
     EXPECT_LT(numericalShort, 0.7 * numericalLong);
     EXPECT_LT(numericalShort, 0.01 * 1000 * 9.81 * 0.5 * 0.5);  // of the column's energy
 }
 
-// The energy of water that appears: where nothing moves rho (v^2/2 - g . x) of the added volume, and p of what is asked for.
+// The energy of water that appears: where nothing moves rho (v^2/2 - g . x) of the added volume, and p of what is asked
+// for.
 TEST(Energy, OfAddedVolume) {
-    TestCase c = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 2, 1, 3) + " } );", water, "");
+    TestCase c = makeCase(
+        "meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 2, 1, 3) + " } );", water, "");
     c.problem.gravity = {0, -10};
     Nodes<2> old = c.state.nodes, now = c.state.nodes;
     for (int i = 0; i < now.size(); ++i) {
@@ -124,8 +140,8 @@ TEST(Energy, OfAddedVolume) {
 // A block of water in free fall: nothing is dissipated, potential becomes kinetic.
 TEST(Energy, FreeFall) {
     const CaseFolder folder(water, "floor { type slip; }");
-    TestCase c = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " +
-                              rectangle(0, 1, 0.5, 1.5) + " } ); walls ( floor { points ((-1 0) (2 0)); } );",
+    TestCase c = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 1, 0.5, 1.5) +
+                              " } ); walls ( floor { points ((-1 0) (2 0)); } );",
                           water, "floor { type slip; }", {0, -10});
     c.start(1e-2);
     auto functions = folder.functions("energy { type energy; }");
@@ -140,10 +156,10 @@ TEST(Energy, FreeFall) {
 
 // v = (gamma y, 0) dissipates mu gamma^2 per volume; a wall that recedes with v takes p v per length.
 TEST(Energy, Powers) {
-    TestCase c = makeCase(
-        "meshSize 0.1; bodies ( water { type fluid; material oil; " + rectangle(0, 0, 1, 0.5) +
-            " } ); walls ( floor { points ((0 0) (1 0)); } right { points ((1 0) (1 1)); } );",
-        "oil { type newtonian; rho 1000; mu 3; kappa 2.1e9; }", "floor { type slip; } right { type slip; }");
+    TestCase c =
+        makeCase("meshSize 0.1; bodies ( water { type fluid; material oil; " + rectangle(0, 0, 1, 0.5) +
+                     " } ); walls ( floor { points ((0 0) (1 0)); } right { points ((1 0) (1 1)); } );",
+                 "oil { type newtonian; rho 1000; mu 3; kappa 2.1e9; }", "floor { type slip; } right { type slip; }");
     for (int i = 0; i < c.state.nodes.size(); ++i) c.state.nodes.v[i] = {20 * c.state.nodes.x[i][1], 0};
     EXPECT_NEAR(energyPowers<2>(c.problem, c.controls, c.state).viscous, 3 * 400 * 0.5, 1e-9);
     for (int i = 0; i < c.state.nodes.size(); ++i) {

@@ -13,9 +13,7 @@ namespace {
 constexpr double weight = 1000 * 10 * 0.5;  // of the tank's water [N/m]
 
 /// Total, pressure, viscous: nine numbers behind the time.
-std::vector<double> lastRow(const CaseFolder& folder, const std::string& file) {
-    return folder.rows(file).back();
-}
+std::vector<double> lastRow(const CaseFolder& folder, const std::string& file) { return folder.rows(file).back(); }
 
 }  // namespace
 
@@ -40,10 +38,9 @@ TEST(Forces, HydrostaticOnWalls) {
 
 // The same from the solver at rest, remeshed each step: 0.1 %.
 TEST(Forces, ColumnAtRest) {
-    TestCase c =
-        makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.5) +
-                     " } ); walls ( tank { points ((0 1) (0 0) (1 0) (1 1)); } );",
-                 water, "tank { type slip; }", {0, -10});
+    TestCase c = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.5) +
+                              " } ); walls ( tank { points ((0 1) (0 0) (1 0) (1 1)); } );",
+                          water, "tank { type slip; }", {0, -10});
     c.start(1e-3);
     for (int k = 0; k < 20; ++k) c.step(1e-3);
     const FluidForce force = fluidForce<2>(c.problem, c.state, {0}, {});
@@ -67,9 +64,9 @@ TEST(Forces, ShearOnNoSlipWalls) {
 // A solid under water of constant pressure: p on each wetted face; the dry ones feel nothing.
 TEST(Forces, OnASolidsWettedFace) {
     const CaseFolder folder(water + rubber, "base { type clamped; }");
-    TestCase c = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " +
-                              rectangle(0, 0, 1, 1) + " } block { type solid; material rubber; " +
-                              rectangle(1, 0, 2, 0.5) + " patches { base { edges ((1 2)); } } } );",
+    TestCase c = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 1) +
+                              " } block { type solid; material rubber; " + rectangle(1, 0, 2, 0.5) +
+                              " patches { base { edges ((1 2)); } } } );",
                           water + rubber, "base { type clamped; }");
     for (auto& p : c.state.nodes.p) p = 40;
     auto functions = folder.functions("block { type forces; solids (rubber); }");
@@ -82,8 +79,7 @@ TEST(Forces, OnASolidsWettedFace) {
 // The support gives what the rest's inertia and weight ask for: sum m (a - g), here of a swinging beam.
 TEST(Forces, ReactionBalancesWeightAndInertia) {
     for (const std::string integration : {"nodal", "elemental"}) {
-        TestCase c = makeCase("meshSize 0.25; bodies ( beam { type solid; material rubber; " +
-                                  rectangle(0, 0, 2, 0.5) +
+        TestCase c = makeCase("meshSize 0.25; bodies ( beam { type solid; material rubber; " + rectangle(0, 0, 2, 0.5) +
                                   " pattern oneWay; patches { base { edges ((3 0)); } } } );",
                               rubber, "base { type clamped; }");
         c.controls.integration.integration = integration;
@@ -108,8 +104,7 @@ TEST(Forces, ReactionBalancesWeightAndInertia) {
 TEST(Forces, MistakesPrintTheValidWords) {
     const CaseFolder folder(water, tankConditions);
     EXPECT_THROW(folder.functions("f { type forces; }"), UserError);
-    for (const auto& [text, word] :
-         {std::pair{"patches (flor);", "floor"}, std::pair{"solids (steel);", "water"}}) {
+    for (const auto& [text, word] : {std::pair{"patches (flor);", "floor"}, std::pair{"solids (steel);", "water"}}) {
         auto functions = folder.functions(std::string("f { type forces; ") + text + " }");
         try {
             functions.start(tank());

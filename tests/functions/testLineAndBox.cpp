@@ -9,11 +9,10 @@ using namespace test;
 TEST(Line, LinearFieldsAndTheDry) {
     const CaseFolder folder(water, tankConditions);
     State<2> state = tank();
-    for (int i = 0; i < state.nodes.size(); ++i)
-        state.nodes.v[i] = {3 * state.nodes.x[i][0], state.nodes.x[i][1]};
+    for (int i = 0; i < state.nodes.size(); ++i) state.nodes.v[i] = {3 * state.nodes.x[i][0], state.nodes.x[i][1]};
     state.time = {0.25, 3, 0.1, 0.1};
-    auto functions = folder.functions(
-        "l { type line; fields (p U); start (0.2 0.1 0); end (0.6 0.7 0); nPoints 4; }", "0.1");
+    auto functions =
+        folder.functions("l { type line; fields (p U); start (0.2 0.1 0); end (0.6 0.7 0); nPoints 4; }", "0.1");
     functions.start(state);
     functions.execute(state);
     std::istringstream lines(folder.text("l/0.25/line_p_U.xy"));
@@ -29,9 +28,8 @@ TEST(Line, LinearFieldsAndTheDry) {
         EXPECT_NEAR(rows[k][4], y > 0.5 ? dry : 1e4 * (0.5 - y), 1e-6);
         EXPECT_NEAR(rows[k][5], y > 0.5 ? dry : 3 * x, 1e-9);
     }
-    for (const char* text :
-         {"fields (q); start (0 0 0); end (1 0 0);", "fields (p); start (0 0 0); end (0 0 0);",
-          "fields (p); start (0 0 0); end (1 0 0); nPoints 1;", "fields (p); end (1 0 0);"})
+    for (const char* text : {"fields (q); start (0 0 0); end (1 0 0);", "fields (p); start (0 0 0); end (0 0 0);",
+                             "fields (p); start (0 0 0); end (1 0 0); nPoints 1;", "fields (p); end (1 0 0);"})
         EXPECT_THROW(folder.functions(std::string("l { type line; ") + text + " }"), UserError) << text;
 }
 

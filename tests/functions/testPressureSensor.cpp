@@ -24,9 +24,8 @@ void expectRow(const std::vector<double>& row, const std::vector<double>& expect
 TEST(PressureSensor, MeanOfTheHydrostaticPressure) {
     const CaseFolder folder(water, tankConditions);
     const std::string points = "points ((1 0.2 0) (0 0.25 0) (0.31 0 0) (1 0.5 0) (1 0.8 0));";
-    auto functions =
-        folder.functions("disc { type pressureSensor; width 0.24; " + points + " }" +
-                         "segment { type pressureSensor; shape segment; width 0.24; " + points + " }");
+    auto functions = folder.functions("disc { type pressureSensor; width 0.24; " + points + " }" +
+                                      "segment { type pressureSensor; shape segment; width 0.24; " + points + " }");
     functions.start(tank());
     const double R = 0.12;
     // the fourth is half in the water: 2/(pi R^2) int_0^R sqrt(R^2 - s^2) rho g s ds, (1/2R) int_0^R rho g s
@@ -41,14 +40,13 @@ TEST(PressureSensor, MeanOfTheHydrostaticPressure) {
 // Two squares side by side: a sensor on the solid's left face sees the fluid there, wherever the pair goes.
 TEST(PressureSensor, RidesOnASolid) {
     const CaseFolder folder(water + rubber, "base { type clamped; }");
-    TestCase c = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " +
-                              rectangle(0, 0, 1, 1) + " } block { type solid; material rubber; " +
-                              rectangle(1, 0, 2, 1) + " patches { base { edges ((1 2)); } } } );",
+    TestCase c = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 1) +
+                              " } block { type solid; material rubber; " + rectangle(1, 0, 2, 1) +
+                              " patches { base { edges ((1 2)); } } } );",
                           water + rubber, "base { type clamped; }");
     for (int i = 0; i < c.state.nodes.size(); ++i) c.state.nodes.p[i] = 7 + 3 * c.state.nodes.X[i][1];
     writeState(folder.path() / "0", c.state);
-    auto functions =
-        folder.functions("sensor { type pressureSensor; width 0.3; points ((1 0.45 0) (2 0.45 0)); }");
+    auto functions = folder.functions("sensor { type pressureSensor; width 0.3; points ((1 0.45 0) (2 0.45 0)); }");
     functions.start(c.state);
     for (auto& x : c.state.nodes.x) x = Vec<2>(3, 1) + Eigen::Rotation2D<double>(2.0) * x;
     c.state.time = {0.1, 1, 0.1, 0.1};
@@ -67,8 +65,7 @@ TEST(PressureSensor, MistakesAreNamed) {
     }
     EXPECT_THROW(folder.functions("a { type pressureSensor; points ((0 0 0)); }"), UserError);
     EXPECT_THROW(folder.functions("a { type pressureSensor; width 0.1; points (); }"), UserError);
-    EXPECT_THROW(folder.functions("a { type pressureSensor; width 0.1; points ((0 0 0)); filter median; }"),
-                 UserError);
+    EXPECT_THROW(folder.functions("a { type pressureSensor; width 0.1; points ((0 0 0)); filter median; }"), UserError);
 }
 
 TEST(TimeFilter, LowPassOfAStep) {
@@ -98,8 +95,7 @@ TEST(TimeFilter, GoesOnAfterARestart) {
     const CaseFolder folder(water, tankConditions);
     for (const std::string kind : {"lowPass", "movingAverage"}) {
         const std::string text =
-            "s { type pressureSensor; width 0.1; points ((1 0.2 0) (0 0.1 0)); filterTime 0.03; filter " +
-            kind + "; }";
+            "s { type pressureSensor; width 0.1; points ((1 0.2 0) (0 0.1 0)); filterTime 0.03; filter " + kind + "; }";
         const auto run = [&](int from, int to, State<2> state) {
             auto functions = folder.functions(text, std::to_string(from));
             functions.start(state);

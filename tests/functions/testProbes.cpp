@@ -65,8 +65,7 @@ protected:
             << "water { type newtonian; rho [1 -3 0 0 0 0 0] 1000; } rubber { type hypoelastic; rho 1200; }";
     }
     FunctionObjects<2> make(const std::string& text, const std::string& startName = "0") const {
-        return {Case(folder_.path()), Dictionary::parse("functions { " + text + " }", "controlDict"),
-                startName};
+        return {Case(folder_.path()), Dictionary::parse("functions { " + text + " }", "controlDict"), startName};
     }
     /// Rows of a table, comments left out; brackets are blanks.
     std::vector<std::vector<double>> rows(const std::string& file) const {
@@ -181,8 +180,7 @@ TEST_F(Functions, AttachedProbeFollowsARotation) {
 }
 
 TEST_F(Functions, AttachedProbeInTheFluidSurvivesRestartAndNoticesRemoval) {
-    const std::string text =
-        "drop { type probes; fields (p); fixedLocations false; probeLocations ((0.3 0.6 0)); }";
+    const std::string text = "drop { type probes; fields (p); fixedLocations false; probeLocations ((0.3 0.6 0)); }";
     State<2> state = blocks(2);
     writeState(folder_.path() / "0", state);
     State<2> later = state;
@@ -257,8 +255,7 @@ TEST_F(Functions, MassLedgerAddsUp) {
         EXPECT_NEAR(table[0][c], first[c], 1e-9) << c;
         EXPECT_NEAR(table[1][c], second[c], 1e-9) << c;
     }
-    EXPECT_NE(readText(folder_.path() / "postProcessing/mass/0/fluidVolume.dat").find("insertion"),
-              std::string::npos);
+    EXPECT_NE(readText(folder_.path() / "postProcessing/mass/0/fluidVolume.dat").find("insertion"), std::string::npos);
     // restart compares with the beginning, not with the restart
     auto restarted = make("mass { type massLedger; }", "0.1");
     restarted.start(state);

@@ -75,14 +75,16 @@ TEST(Front, File) {
     EXPECT_NEAR(row.at(4), 0.5, 1e-9);
 }
 
-// Directions out of the plane are refused; a place beside the plane, as cases of OpenFOAM have it, is said to be taken in it.
+// Directions out of the plane are refused; a place beside the plane, as cases of OpenFOAM have it, is said to be taken
+// in it.
 TEST(Functions2D, WhatLeavesThePlane) {
     const CaseFolder folder(water, tankConditions);
     EXPECT_THROW(folder.functions("g { type waveGauge; points ((0.3 0 0)); direction (0 1 1); }"), UserError);
     EXPECT_THROW(folder.functions("f { type front; direction (0 1 1); }"), UserError);
     const auto said = [&](const std::string& z) {
         ::testing::internal::CaptureStderr();
-        folder.functions("a { type probes; fields (p); probeLocations ((0.3 0.1 " + z + ")); } b { type waveGauge; points ((0.3 0 " + z +
+        folder.functions("a { type probes; fields (p); probeLocations ((0.3 0.1 " + z +
+                         ")); } b { type waveGauge; points ((0.3 0 " + z +
                          ")); } c { type line; fields (p); start (0 0 " + z + "); end (1 0 0); }");
         const std::string text = ::testing::internal::GetCapturedStderr();
         return std::count(text.begin(), text.end(), '\n');

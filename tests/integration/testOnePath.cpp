@@ -22,8 +22,7 @@ TEST(OnePath, onlyIntegrationTellsTheSchemesApart) {
                           text.find("Integration::elemental") != std::string::npos;
         const bool isPlace = path.find("/src/integration/") != std::string::npos;
         inside += isPlace && asks;
-        if (isPlace || path.ends_with("/momentum/controls.hpp"))
-            continue;  // there the user's word becomes a scheme
+        if (isPlace || path.ends_with("/momentum/controls.hpp")) continue;  // there the user's word becomes a scheme
         EXPECT_FALSE(asks) << path;
     }
     EXPECT_GT(files, 100);

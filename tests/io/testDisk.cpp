@@ -113,9 +113,8 @@ TEST(Series, ListsTheCompleteFoldersThatExist) {
     fs::create_directories(folder.path() / "0.2");  // incomplete
     writeSeries(folder.path());
     const std::string pvd = readText(folder.path() / "case.pvd");
-    EXPECT_NE(
-        pvd.find("<DataSet timestep=\"0.05\" group=\"\" part=\"1\" name=\"solid\" file=\"0.05/solid.vtu\"/>"),
-        std::string::npos)
+    EXPECT_NE(pvd.find("<DataSet timestep=\"0.05\" group=\"\" part=\"1\" name=\"solid\" file=\"0.05/solid.vtu\"/>"),
+              std::string::npos)
         << pvd;
     EXPECT_EQ(pvd.find("0.2"), std::string::npos);
     EXPECT_LT(pvd.find("\"0.05/"), pvd.find("\"0.1/"));
@@ -134,8 +133,7 @@ TEST(Table, ColumnsOfOpenFoam) {
     table.comment("Probe 0 (0.05 0.01 0)");
     table.header({"Probe", "0", "1", "2"});
     table.header({"Time"});
-    table.row(
-        {table.number(0.0087317), table.number(938.395), table.number(-0.219067), table.number(-1e300)});
+    table.row({table.number(0.0087317), table.number(938.395), table.number(-0.219067), table.number(-1e300)});
     table.row({table.number(0.1), table.tuple({1, 2.5, 0})});
     EXPECT_EQ(readText(file),
               "# Probe 0 (0.05 0.01 0)\n"

@@ -23,12 +23,11 @@ const std::vector<std::string> lists{"case.pvd", "fluid.vtu.series", "solid.vtu.
 /// A time folder that looks complete.
 void makeTime(const fs::path& root, const std::string& name) {
     fs::create_directories(root / name / "uniform");
-    for (const char* file : {"uniform/time", "fluid.vtu", "solid.vtu", "boundary.vtu"}) std::ofstream(root / name / file) << "x";
+    for (const char* file : {"uniform/time", "fluid.vtu", "solid.vtu", "boundary.vtu"})
+        std::ofstream(root / name / file) << "x";
 }
 
-std::string nameOf(int k) {
-    return fmt::format("{:.3f}", 1 + 1e-3 * k);
-}
+std::string nameOf(int k) { return fmt::format("{:.3f}", 1 + 1e-3 * k); }
 
 void addTime(Series& series, const fs::path& root, const std::string& name) {
     series.look();

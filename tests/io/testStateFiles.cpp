@@ -22,8 +22,8 @@ void put(const fs::path& file, const std::string& bytes) {
 /// Without the checksums, so that the checks behind them are tested too.
 void removeChecksums(const fs::path& folder) {
     const std::string text = readText(folder / "uniform/time");
-    put(folder / "uniform/time", text.substr(0, text.find("checksums")) +
-                                     "checksums { fluid.vtu none; solid.vtu none; boundary.vtu none; }\n");
+    put(folder / "uniform/time",
+        text.substr(0, text.find("checksums")) + "checksums { fluid.vtu none; solid.vtu none; boundary.vtu none; }\n");
 }
 }  // namespace
 
@@ -81,7 +81,8 @@ TEST(StateFiles, OnlyFluidOnlySolidOnlyParticles) {
 
 TEST(StateFiles, SameStateSameBytes) {
     const TemporaryFolder folder;
-    for (const char* name : {"a", "b"}) fs::create_directory(folder.path() / name);  // a case is never made by writing into it
+    for (const char* name : {"a", "b"})
+        fs::create_directory(folder.path() / name);  // a case is never made by writing into it
     writeState(folder.path() / "a" / "1", sampleState());
     writeState(folder.path() / "b" / "1", sampleState());
     for (const char* file : allFiles)
@@ -286,13 +287,13 @@ TEST(StateFiles, UniformTimeThatMakesNoSense) {
     writeState(folder.path() / "1", sampleState());
     const fs::path file = folder.path() / "1/uniform/time";
     const std::string whole = readText(file);
-    for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
-             {"index           7", "index           -7"},
-             {"index           7", "index           1.5"},
-             {"nextId          4000000000", "nextId          12"},
-             {"deltaT0", "delta0"},
-             {"0.30000000000000004", "nan"},
-             {"ledger", "leader"}}) {
+    for (const auto& [from, to] :
+         std::vector<std::pair<std::string, std::string>>{{"index           7", "index           -7"},
+                                                          {"index           7", "index           1.5"},
+                                                          {"nextId          4000000000", "nextId          12"},
+                                                          {"deltaT0", "delta0"},
+                                                          {"0.30000000000000004", "nan"},
+                                                          {"ledger", "leader"}}) {
         std::string text = whole;
         ASSERT_NE(text.find(from), std::string::npos) << from;
         text.replace(text.find(from), from.size(), to);

@@ -99,7 +99,8 @@ LowerColumns lowerColumns(const Eigen::MatrixXd& A, int nColumns) {
 /// A chain of pieces, each parted from the next by nothing.
 std::vector<Piece> pieces(int n, int width) {
     std::vector<Piece> chain;
-    for (int first = 0; first < n; first += width) chain.push_back({first, std::min(width, n - first), first > 0 ? 1 : 0});
+    for (int first = 0; first < n; first += width)
+        chain.push_back({first, std::min(width, n - first), first > 0 ? 1 : 0});
     return chain;
 }
 
@@ -113,7 +114,8 @@ TEST_P(MultifrontalLast, unknownsAreTheSchurComplement) {
     factor.factorize(lowerColumns(q.dense, nFirst), pieces(nFirst, 3));
     const Eigen::MatrixXd Aff = q.dense.topLeftCorner(nFirst, nFirst);
     const Eigen::MatrixXd Alf = q.dense.bottomLeftCorner(nLast, nFirst);
-    const Eigen::MatrixXd exact = q.dense.bottomRightCorner(nLast, nLast) - Alf * Aff.fullPivLu().solve(Alf.transpose());
+    const Eigen::MatrixXd exact =
+        q.dense.bottomRightCorner(nLast, nLast) - Alf * Aff.fullPivLu().solve(Alf.transpose());
     const Eigen::MatrixXd block = factor.lastBlock() + q.dense.bottomRightCorner(nLast, nLast);
     EXPECT_LE((block - exact).norm(), 1e-12 * exact.norm());
 
@@ -281,7 +283,8 @@ TEST(NestedDissection, piecesMeetOnlyThoseThatPartThem) {
         const MatrixGraph graph = squareOfTriangles(m);
         Places<2> place;
         for (int i = 0; i < m * m; ++i)
-            place.push_back({i % m + wave * std::sin(37.0 * i), (wave > 0 ? 3 : 1) * (i / m + wave * std::cos(11.0 * i))});
+            place.push_back(
+                {i % m + wave * std::sin(37.0 * i), (wave > 0 ? 3 : 1) * (i / m + wave * std::cos(11.0 * i))});
         const auto [order, pieces] = nestedDissection<2>(graph, place);
         std::vector<int> pieceOf(m * m), parent(pieces.size(), -1), stack;
         int columns = 0;

@@ -124,7 +124,8 @@ TEST(Hypoelastic, closedCycleReturnsToZero) {
 
 TEST(Hypoelastic, stressFreeRotationStaysStressFree) {
     Stress<2> sigma = Stress<2>::Zero();
-    for (int k = 0; k < 12; ++k) sigma = rotatedMidpoint<2>(material, sigma, increment<2>(turned(0.5 * k), turned(0.5 * k + 0.5)));
+    for (int k = 0; k < 12; ++k)
+        sigma = rotatedMidpoint<2>(material, sigma, increment<2>(turned(0.5 * k), turned(0.5 * k + 0.5)));
     EXPECT_LT(sigma.norm(), 1e-9 * material.E);
 }
 

@@ -77,8 +77,7 @@ void expectStressOfTheEnergy() {
             Tensor<Dim> plus = F, minus = F;
             plus(i, j) += 1e-5;
             minus(i, j) -= 1e-5;
-            const double slope =
-                (neoHookeanEnergy<Dim>(rubber, plus) - neoHookeanEnergy<Dim>(rubber, minus)) / 2e-5;
+            const double slope = (neoHookeanEnergy<Dim>(rubber, plus) - neoHookeanEnergy<Dim>(rubber, minus)) / 2e-5;
             EXPECT_NEAR(P(i, j), slope, 1e-8 * rubber.E) << i << j;
         }
     EXPECT_EQ(neoHookeanEnergy<Dim>(rubber, Tensor<Dim>::Identity()), 0);

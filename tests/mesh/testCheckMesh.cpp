@@ -9,17 +9,14 @@ using namespace test;
 
 namespace {
 
-MeshCheck check(const TestCase& c) {
-    return checkMesh(c.state.mesh, c.topology(), c.state.nodes.x, c.state.nodes.h);
-}
+MeshCheck check(const TestCase& c) { return checkMesh(c.state.mesh, c.topology(), c.state.nodes.x, c.state.nodes.h); }
 
 /// Water 1 x 0.5 with a solid on its right, on a floor.
 TestCase pair() {
-    return makeCase(
-        "meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.5) +
-            " } block { type solid; material rubber; " + rectangle(1, 0, 1.5, 0.5) +
-            " patches { base { edges ((1 2)); } } } ); walls ( floor { points ((0 0) (1 0)); } );",
-        water + rubber, "base { type clamped; } floor { type slip; }");
+    return makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.5) +
+                        " } block { type solid; material rubber; " + rectangle(1, 0, 1.5, 0.5) +
+                        " patches { base { edges ((1 2)); } } } ); walls ( floor { points ((0 0) (1 0)); } );",
+                    water + rubber, "base { type clamped; } floor { type slip; }");
 }
 
 }  // namespace

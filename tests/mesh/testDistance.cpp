@@ -31,7 +31,9 @@ TEST(Distance, ofWhatHasNoLength) {
 
 TEST(Distance, toATriangle) {
     const Points<3> x{{0, 0, 1}, {4, 0, 1}, {0, 3, 1}};
-    const auto distance = [&](double px, double py, double pz) { return distanceToFace<3>(x, {0, 1, 2}, {px, py, pz}); };
+    const auto distance = [&](double px, double py, double pz) {
+        return distanceToFace<3>(x, {0, 1, 2}, {px, py, pz});
+    };
     EXPECT_NEAR(distance(1, 1, -1), 2, 1e-14) << "under it";
     EXPECT_NEAR(distance(1, -3, 5), 5, 1e-14) << "beside an edge";
     EXPECT_NEAR(distance(-3, -4, 13), 13, 1e-14) << "beside a corner";

@@ -17,22 +17,17 @@ inline MeshDescription describe(const std::string& text, double h = 0) {
     return readMeshDict(Dictionary::parse(text, "meshDict"), {"water", "oil", "rubber"}, h);
 }
 
-inline MeshResult meshOf(const std::string& text, double h = 0) {
-    return buildMesh(describe(text, h));
-}
+inline MeshResult meshOf(const std::string& text, double h = 0) { return buildMesh(describe(text, h)); }
 
-inline std::string fluidBody(const std::string& name, const std::string& vertices,
-                             const std::string& more = "") {
+inline std::string fluidBody(const std::string& name, const std::string& vertices, const std::string& more = "") {
     return name + " { type fluid; material water; vertices (" + vertices + "); " + more + " }\n";
 }
 
-inline std::string solidBody(const std::string& name, const std::string& vertices,
-                             const std::string& more = "") {
+inline std::string solidBody(const std::string& name, const std::string& vertices, const std::string& more = "") {
     return name + " { type solid; material rubber; vertices (" + vertices + "); " + more + " }\n";
 }
 
-inline std::string dictOf(const std::string& bodies, const std::string& walls = "",
-                          const std::string& h = "0.1") {
+inline std::string dictOf(const std::string& bodies, const std::string& walls = "", const std::string& h = "0.1") {
     return "meshSize " + h + ";\nbodies\n{\n" + bodies + "}\nwalls\n{\n" + walls + "}\n";
 }
 
@@ -51,15 +46,14 @@ inline std::string wedge() {
 
 /// Oblique walls, a curved elastic container that touches them at points.
 inline std::string elasticContainer() {
-    return dictOf(
-        fluidBody("water", "(-0.65 0) (0.65 0) (2.4357 2.5) (-2.4357 2.5)") +
-            solidBody("shell",
-                      "(-2.45 0) (-2.45 -3.75) (2.45 -3.75) (2.45 0) (2.25 0) (2.25 -3.75) (-2.25 -3.75) "
-                      "(-2.25 0)",
-                      "meshSize 0.05; edges (arc 1 2 (0 -6.2) arc 5 6 (0 -6.0)); "
-                      "patches { clamp { edges ((7 0) (3 4)); } }"),
-        "left { points ((-2.4357 2.5) (-0.65 0) (-2.25 0)); }\n"
-        "right { points ((2.25 0) (0.65 0) (2.4357 2.5)); }");
+    return dictOf(fluidBody("water", "(-0.65 0) (0.65 0) (2.4357 2.5) (-2.4357 2.5)") +
+                      solidBody("shell",
+                                "(-2.45 0) (-2.45 -3.75) (2.45 -3.75) (2.45 0) (2.25 0) (2.25 -3.75) (-2.25 -3.75) "
+                                "(-2.25 0)",
+                                "meshSize 0.05; edges (arc 1 2 (0 -6.2) arc 5 6 (0 -6.0)); "
+                                "patches { clamp { edges ((7 0) (3 4)); } }"),
+                  "left { points ((-2.4357 2.5) (-0.65 0) (-2.25 0)); }\n"
+                  "right { points ((2.25 0) (0.65 0) (2.4357 2.5)); }");
 }
 
 /// Water of another size on a plate whose vertices lie elsewhere.
@@ -71,10 +65,10 @@ inline std::string hydrostaticPlate() {
 
 /// A round solid inside the water of a closed box.
 inline std::string cylinder() {
-    return dictOf(fluidBody("water", "(0 0) (1 0) (1 1) (0 1)", "holes (cylinder);") +
-                      solidBody("cylinder", "(0.4 0.5) (0.6 0.5)",
-                                "meshSize 0.01; edges (arc 0 1 (0.5 0.4) arc 1 0 (0.5 0.6));"),
-                  "box { closed yes; points ((0 0) (1 0) (1 1.2) (0 1.2)); }", "0.02");
+    return dictOf(
+        fluidBody("water", "(0 0) (1 0) (1 1) (0 1)", "holes (cylinder);") +
+            solidBody("cylinder", "(0.4 0.5) (0.6 0.5)", "meshSize 0.01; edges (arc 0 1 (0.5 0.4) arc 1 0 (0.5 0.6));"),
+        "box { closed yes; points ((0 0) (1 0) (1 1.2) (0 1.2)); }", "0.02");
 }
 
 inline double signedArea(const State<2>& s, const Simplex<2>& t) {
@@ -121,8 +115,7 @@ inline void expectSound(const State<2>& state) {
             if (i == edge[0] || i == edge[1]) continue;
             const Vec<2> r = state.nodes.x[i] - a;
             const double s = r.dot(d) / d.squaredNorm();
-            const bool hanging =
-                s > 0 && s < 1 && std::abs(r.x() * d.y() - r.y() * d.x()) < 1e-9 * d.squaredNorm();
+            const bool hanging = s > 0 && s < 1 && std::abs(r.x() * d.y() - r.y() * d.x()) < 1e-9 * d.squaredNorm();
             EXPECT_FALSE(hanging);
         }
     }
@@ -142,8 +135,7 @@ inline const Patch<2>& patchOf(const State<2>& state, const std::string& name) {
 
 inline double lengthOf(const State<2>& state, const std::string& patch) {
     double sum = 0;
-    for (const auto& [a, b] : patchOf(state, patch).faces)
-        sum += (state.nodes.x[a] - state.nodes.x[b]).norm();
+    for (const auto& [a, b] : patchOf(state, patch).faces) sum += (state.nodes.x[a] - state.nodes.x[b]).norm();
     return sum;
 }
 

@@ -12,17 +12,17 @@
 namespace pfem::testing {
 
 struct MshForm {
-    bool four = false;         // 4.1, otherwise 2.2
+    bool four = false;  // 4.1, otherwise 2.2
     bool binary = false;
-    bool parametric = false;   // nodes with places on their curves and surfaces
-    int parts = 1;             // of `gmsh -part`
-    bool namesLast = false;    // $PhysicalNames behind the elements
-    bool comments = false;     // before $MeshFormat, too
-    bool results = false;      // $NodeData twice, $ElementData, $Periodic, $InterpolationScheme
-    bool mark = false;         // byte order mark
-    bool windows = false;      // ends of lines (text only)
-    bool saveAll = false;      // no element is in a physical group
-    double height = 0;         // z of one node
+    bool parametric = false;  // nodes with places on their curves and surfaces
+    int parts = 1;            // of `gmsh -part`
+    bool namesLast = false;   // $PhysicalNames behind the elements
+    bool comments = false;    // before $MeshFormat, too
+    bool results = false;     // $NodeData twice, $ElementData, $Periodic, $InterpolationScheme
+    bool mark = false;        // byte order mark
+    bool windows = false;     // ends of lines (text only)
+    bool saveAll = false;     // no element is in a physical group
+    double height = 0;        // z of one node
 };
 
 /// Numbers as text or bytes.
@@ -57,8 +57,8 @@ private:
     bool binary_;
 };
 
-/// Groups: "water" (2, 1) of the fluid, "wall" (2, 2) of the solid, (1, 11 + k) of patch k. Each is one entity: surfaces 1 and 2,
-/// curves 21 + k.
+/// Groups: "water" (2, 1) of the fluid, "wall" (2, 2) of the solid, (1, 11 + k) of patch k. Each is one entity:
+/// surfaces 1 and 2, curves 21 + k.
 class MshWriter {
 public:
     MshWriter(const State<2>& state, const MshForm& form) : state_(state), form_(form), out_(form.binary) {}
@@ -79,7 +79,8 @@ public:
         if (form_.namesLast) names();
         std::string text = form_.mark ? "\xEF\xBB\xBF" + out_.text : out_.text;
         if (form_.windows && !form_.binary)
-            for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2) text.replace(at, 1, "\r\n");
+            for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2)
+                text.replace(at, 1, "\r\n");
         return text;
     }
 
@@ -94,7 +95,8 @@ private:
     void names() {
         out_.line("$PhysicalNames");
         out_.line(std::to_string(2 + state_.mesh.patches.size()));
-        for (std::size_t k = 0; k < state_.mesh.patches.size(); ++k) out_.line(fmt::format("1 {} \"{}\"", 11 + k, state_.mesh.patches[k].name));
+        for (std::size_t k = 0; k < state_.mesh.patches.size(); ++k)
+            out_.line(fmt::format("1 {} \"{}\"", 11 + k, state_.mesh.patches[k].name));
         out_.line("2 1 \"water\"");
         out_.line("2 2 \"wall\"");
         out_.line("$EndPhysicalNames");
@@ -138,7 +140,8 @@ private:
         out_.line("$Entities");
         out_.u(1).u(state_.mesh.patches.size()).u(2).u(0).end();
         out_.i(5).d(0).d(0).d(0).list({}).end();
-        for (std::size_t k = 0; k < state_.mesh.patches.size(); ++k) entity(21 + static_cast<long>(k), 11 + static_cast<long>(k));
+        for (std::size_t k = 0; k < state_.mesh.patches.size(); ++k)
+            entity(21 + static_cast<long>(k), 11 + static_cast<long>(k));
         for (const long body : {1, 2}) entity(body, body);
         if (form_.binary) out_.line("");
         out_.line("$EndEntities");
@@ -167,7 +170,9 @@ private:
             out_.i(tagOf(block)).i(block.dimension).i(block.entity).list({block.part});
             box();
             // Gmsh repeats the group of the whole; without, that of the whole counts
-            out_.list(block.part % 2 == 1 && !form_.saveAll ? std::vector<long>{block.group} : std::vector<long>{}).list({6, -6}).end();
+            out_.list(block.part % 2 == 1 && !form_.saveAll ? std::vector<long>{block.group} : std::vector<long>{})
+                .list({6, -6})
+                .end();
         }
         if (form_.binary) out_.line("");
         out_.line("$EndPartitionedEntities");
@@ -220,8 +225,10 @@ private:
         out_.line(std::to_string(n + 1));
         long number = 1;
         const auto element = [&](long type, std::vector<long> tags, const std::vector<int>& nodes) {
-            if (form_.binary) out_.i(type).i(1).i(static_cast<long>(tags.size())).i(number++);
-            else out_.i(number++).i(type).i(static_cast<long>(tags.size()));
+            if (form_.binary)
+                out_.i(type).i(1).i(static_cast<long>(tags.size())).i(number++);
+            else
+                out_.i(number++).i(type).i(static_cast<long>(tags.size()));
             for (const long t : tags) out_.i(t);
             for (const int i : nodes) out_.i(tag(static_cast<std::size_t>(i)));
             out_.end();

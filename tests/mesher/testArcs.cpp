@@ -11,15 +11,12 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-Vec<2> onCircle(double degrees) {
-    return {std::cos(degrees * pi / 180), std::sin(degrees * pi / 180)};
-}
+Vec<2> onCircle(double degrees) { return {std::cos(degrees * pi / 180), std::sin(degrees * pi / 180)}; }
 
 TEST(Arc, allDirectionsAndSpans) {
     for (const double span : {-340.0, -200.0, -90.0, -10.0, 10.0, 90.0, 179.0, 180.0, 200.0, 340.0}) {
         for (double start = -180; start < 180; start += 37) {
-            const auto arc =
-                Curve::arc(onCircle(start), onCircle(start + 0.3 * span), onCircle(start + span));
+            const auto arc = Curve::arc(onCircle(start), onCircle(start + 0.3 * span), onCircle(start + span));
             ASSERT_TRUE(arc);
             EXPECT_NEAR(arc->length(), std::abs(span) * pi / 180, 1e-10);
             EXPECT_NEAR((arc->point(0.6) - onCircle(start + 0.6 * span)).norm(), 0, 1e-10);
@@ -33,9 +30,7 @@ TEST(Arc, allDirectionsAndSpans) {
     }
 }
 
-TEST(Arc, pointsOfOneLineAreNoArc) {
-    EXPECT_FALSE(Curve::arc({0, 0}, {1, 1}, {3, 3}));
-}
+TEST(Arc, pointsOfOneLineAreNoArc) { EXPECT_FALSE(Curve::arc({0, 0}, {1, 1}, {3, 3})); }
 
 TEST(Line, parameters) {
     const auto line = Curve::line({1, 1}, {3, 1});
@@ -46,8 +41,8 @@ TEST(Line, parameters) {
 }
 
 TEST(Arc, discArea) {
-    const auto mesh = meshOf(
-        dictOf(fluidBody("disc", "(-1 0) (1 0)", "edges (arc 0 1 (0 -1) arc 1 0 (0 1));"), "", "0.05"));
+    const auto mesh =
+        meshOf(dictOf(fluidBody("disc", "(-1 0) (1 0)", "edges (arc 0 1 (0 -1) arc 1 0 (0 1));"), "", "0.05"));
     EXPECT_NEAR(mesh.bodies[0].area, pi, 2e-3 * pi);
     for (const auto& x : mesh.state.nodes.x) EXPECT_LT(x.norm(), 1 + 1e-12);
     expectSound(mesh.state);

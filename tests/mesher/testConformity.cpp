@@ -15,8 +15,7 @@ double interfaceLength(const State<2>& state) {
     const auto solid = directedEdges(state.mesh.solid);
     double length = 0;
     for (const auto& [edge, n] : directedEdges(state.mesh.fluid))
-        if (solid.count({edge[1], edge[0]}))
-            length += (state.nodes.x[edge[0]] - state.nodes.x[edge[1]]).norm();
+        if (solid.count({edge[1], edge[0]})) length += (state.nodes.x[edge[0]] - state.nodes.x[edge[1]]).norm();
     return length;
 }
 
@@ -116,13 +115,14 @@ TEST(Conformity, velocities) {
 }
 
 int slidingNodes(const State<2>& state) {
-    return static_cast<int>(std::count_if(state.nodes.wall.begin(), state.nodes.wall.end(), [](int w) { return w >= 0; }));
+    return static_cast<int>(
+        std::count_if(state.nodes.wall.begin(), state.nodes.wall.end(), [](int w) { return w >= 0; }));
 }
 
 TEST(Conformity, ownSizeOfAWallRefinesTheFluid) {
-    const auto state = meshOf(dictOf(fluidBody("water", "(0 0) (1 0) (1 1) (0 1)"),
-                                     "floor { points ((0 0) (1 0)); meshSize 0.02; }"))
-                           .state;
+    const auto state =
+        meshOf(dictOf(fluidBody("water", "(0 0) (1 0) (1 1) (0 1)"), "floor { points ((0 0) (1 0)); meshSize 0.02; }"))
+            .state;
     EXPECT_EQ(slidingNodes(state), 49);
     expectSound(state);
 }

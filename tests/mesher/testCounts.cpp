@@ -5,9 +5,7 @@
 namespace pfem::testing {
 namespace {
 
-void expectNear(int count, int published) {
-    EXPECT_NEAR(count, published, 0.05 * published);
-}
+void expectNear(int count, int published) { EXPECT_NEAR(count, published, 0.05 * published); }
 
 TEST(Counts, damBreakElasticWall) {
     const auto mesh = meshOf(damBreakElasticWall(), 0.002);
@@ -81,9 +79,9 @@ TEST(Quality, cornerNodesHaveTwoTriangles) {
 
 TEST(Quality, acuteCornerBetweenWallsIsBisected) {
     // 50 degrees between two walls
-    const auto state = meshOf(dictOf(fluidBody("water", "(0 0) (1 0) (0.64 0.7628)"),
-                                     "v { points ((0.64 0.7628) (0 0) (1 0)); }"))
-                           .state;
+    const auto state =
+        meshOf(dictOf(fluidBody("water", "(0 0) (1 0) (0.64 0.7628)"), "v { points ((0.64 0.7628) (0 0) (1 0)); }"))
+            .state;
     EXPECT_TRUE(wallTriangles(state).empty());
 }
 

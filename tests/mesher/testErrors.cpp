@@ -25,9 +25,7 @@ constexpr int body1 = 4, body2 = 5, wall1 = 8;
 TEST(Errors, clockwise) {
     expectError(dictOf(fluidBody("a", "(0 1) (1 1) (1 0) (0 0)")), "((0 0) (1 0) (1 1) (0 1))", body1);
 }
-TEST(Errors, fewVertices) {
-    expectError(dictOf(fluidBody("a", "(0 0) (1 0)")), "at least 3", body1);
-}
+TEST(Errors, fewVertices) { expectError(dictOf(fluidBody("a", "(0 0) (1 0)")), "at least 3", body1); }
 TEST(Errors, sameVertexTwice) {
     expectError(dictOf(fluidBody("a", "(0 0) (1 0) (1 0) (0 0)")), "2 different points; at least 3", body1);
 }
@@ -35,16 +33,14 @@ TEST(Errors, selfIntersection) {
     expectError(dictOf(fluidBody("a", "(0 0) (2 0) (2 1) (1 -0.5) (0 1)")), "crosses itself", body1);
 }
 TEST(Errors, crossingBodies) {
-    expectError(dictOf(fluidBody("a", square) + fluidBody("b", "(0.55 0.55) (2 0.55) (2 2) (0.55 2)")),
-                "overlap", body2);
+    expectError(dictOf(fluidBody("a", square) + fluidBody("b", "(0.55 0.55) (2 0.55) (2 2) (0.55 2)")), "overlap",
+                body2);
 }
 TEST(Errors, bodyInBody) {
-    expectError(dictOf(fluidBody("a", square) + solidBody("b", "(0.3 0.3) (0.7 0.3) (0.7 0.7) (0.3 0.7)")),
-                "holes (b)", body2);
+    expectError(dictOf(fluidBody("a", square) + solidBody("b", "(0.3 0.3) (0.7 0.3) (0.7 0.7) (0.3 0.7)")), "holes (b)",
+                body2);
 }
-TEST(Errors, sameBodyTwice) {
-    expectError(dictOf(fluidBody("a", square) + solidBody("b", square)), "overlap", body1);
-}
+TEST(Errors, sameBodyTwice) { expectError(dictOf(fluidBody("a", square) + solidBody("b", square)), "overlap", body1); }
 TEST(Errors, gap) {
     expectError(dictOf(fluidBody("a", square), "w { points ((0 1) (0 -0.002) (1 -0.002)); }"),
                 "neither joined nor apart", wall1);
@@ -71,33 +67,25 @@ TEST(Errors, fluidOnTheRightWithoutContact) {
     EXPECT_NO_THROW(meshOf(dictOf(fluidBody("a", square), "w { points ((-1 -1) (-1 -3) (2 -3) (2 -1)); }")));
 }
 TEST(Errors, fluidOutsideAClosedBox) {
-    expectError(dictOf(fluidBody("a", square), "w { closed yes; points ((2 0) (3 0) (3 1) (2 1)); }"),
-                "right of wall", wall1);
+    expectError(dictOf(fluidBody("a", square), "w { closed yes; points ((2 0) (3 0) (3 1) (2 1)); }"), "right of wall",
+                wall1);
 }
-TEST(Errors, sizeLargerThanBody) {
-    expectError(dictOf(fluidBody("a", square), "", "1.5"), "larger than body", body1);
-}
+TEST(Errors, sizeLargerThanBody) { expectError(dictOf(fluidBody("a", square), "", "1.5"), "larger than body", body1); }
 TEST(Errors, noSize) {
-    expectError("\n\nbodies {\na { type fluid; material water; vertices (" + square + "); } }", "no meshSize",
-                body1);
+    expectError("\n\nbodies {\na { type fluid; material water; vertices (" + square + "); } }", "no meshSize", body1);
 }
 TEST(Errors, sizeNotPositive) {
     expectError(dictOf(fluidBody("a", square), "", "0"), "positive", 1);
     expectError(dictOf(fluidBody("a", square, "meshSize -1;")), "positive", body1);
 }
-TEST(Errors, tooManyTriangles) {
-    expectError(dictOf(fluidBody("a", square), "", "1e-4"), "Check meshSize", body1);
-}
+TEST(Errors, tooManyTriangles) { expectError(dictOf(fluidBody("a", square), "", "1e-4"), "Check meshSize", body1); }
 TEST(Errors, unknownMaterial) {
-    expectError(dictOf("a { type fluid; material watr; vertices (" + square + "); }"), "did you mean 'water'",
-                body1);
+    expectError(dictOf("a { type fluid; material watr; vertices (" + square + "); }"), "did you mean 'water'", body1);
 }
 TEST(Errors, unknownType) {
     expectError(dictOf("a { type gas; material water; vertices (" + square + "); }"), "solid", body1);
 }
-TEST(Errors, unknownPattern) {
-    expectError(dictOf(fluidBody("a", square, "pattern cross;")), "crossed", body1);
-}
+TEST(Errors, unknownPattern) { expectError(dictOf(fluidBody("a", square, "pattern cross;")), "crossed", body1); }
 TEST(Errors, patternNeedsFourSides) {
     expectError(dictOf(fluidBody("a", "(0 0) (1 0) (0 1)", "pattern crossed;")), "four vertices", body1);
 }
@@ -117,17 +105,16 @@ TEST(Errors, patchWithoutEdge) {
     expectError(dictOf(fluidBody("a", square, "patches { p { edges ((0 2)); } }")), "no edge (0 2)", body1);
 }
 TEST(Errors, patchNamedAsWall) {
-    expectError(
-        dictOf(fluidBody("a", square, "patches { w { edges ((0 1)); } }"), "w { points ((0 1) (0 0)); }"),
-        "name of a wall", body1);
+    expectError(dictOf(fluidBody("a", square, "patches { w { edges ((0 1)); } }"), "w { points ((0 1) (0 0)); }"),
+                "name of a wall", body1);
 }
 TEST(Errors, unknownHole) {
-    expectError(
-        dictOf(fluidBody("a", square, "holes (cyl);") + solidBody("cyld", "(0.3 0.3) (0.7 0.3) (0.5 0.7)")),
-        "did you mean 'cyld'", body1);
+    expectError(dictOf(fluidBody("a", square, "holes (cyl);") + solidBody("cyld", "(0.3 0.3) (0.7 0.3) (0.5 0.7)")),
+                "did you mean 'cyld'", body1);
 }
 TEST(Errors, holeTwice) {
-    expectError(dictOf(fluidBody("a", square, "holes (b b);") + solidBody("b", "(0.3 0.3) (0.7 0.3) (0.5 0.7)")), "'b' twice", body1);
+    expectError(dictOf(fluidBody("a", square, "holes (b b);") + solidBody("b", "(0.3 0.3) (0.7 0.3) (0.5 0.7)")),
+                "'b' twice", body1);
 }
 TEST(Errors, holeOutside) {
     expectError(dictOf(fluidBody("a", square, "holes (b);") + solidBody("b", "(2 0) (3 0) (3 1)")),
@@ -142,9 +129,9 @@ TEST(Errors, velocityOutOfThePlane) {
     EXPECT_NO_THROW(meshOf(dictOf(fluidBody("a", square, "velocity expression (\"x\" \"0\" \"0*x\");"))));
 }
 TEST(Errors, fluidOnBothSidesOfAWall) {
-    expectError(dictOf(fluidBody("a", square) + fluidBody("b", "(1 0) (2 0) (2 1) (1 1)"),
-                       "w { points ((1 0) (1 1)); }"),
-                "both sides", 9);
+    expectError(
+        dictOf(fluidBody("a", square) + fluidBody("b", "(1 0) (2 0) (2 1) (1 1)"), "w { points ((1 0) (1 1)); }"),
+        "both sides", 9);
 }
 
 }  // namespace

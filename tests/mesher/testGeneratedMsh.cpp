@@ -43,7 +43,9 @@ std::string damage(std::string& text, const MshForm& form, std::mt19937& random)
             replaceOnce(text, form.four ? "4.1 " : "2.2 ", form.four ? "4.0 " : "2.0 ");
             return "save it as 2.2 or 4.1";
         case 1: {
-            const std::string end = form.results ? "$EndPeriodic" : form.namesLast ? "$EndPhysicalNames" : "$EndElements";
+            const std::string end = form.results     ? "$EndPeriodic"
+                                    : form.namesLast ? "$EndPhysicalNames"
+                                                     : "$EndElements";
             text.erase(text.rfind(end));
             return end;
         }
@@ -68,8 +70,10 @@ TEST(GeneratedMsh, readOrRefusedForItsDamage) {
     for (unsigned k = 0; k < files; ++k) {
         std::mt19937 random(k);
         const MshForm form = randomForm(random);
-        SCOPED_TRACE(fmt::format("file {}: four {} binary {} parametric {} parts {} namesLast {} comments {} results {} mark {} windows {}", k, form.four,
-                                 form.binary, form.parametric, form.parts, form.namesLast, form.comments, form.results, form.mark, form.windows));
+        SCOPED_TRACE(fmt::format(
+            "file {}: four {} binary {} parametric {} parts {} namesLast {} comments {} results {} mark {} windows {}",
+            k, form.four, form.binary, form.parametric, form.parts, form.namesLast, form.comments, form.results,
+            form.mark, form.windows));
         std::string text = mshText(c.state, form);
         std::string expected;
         const bool sound = random() % 3 != 0;
@@ -80,7 +84,8 @@ TEST(GeneratedMsh, readOrRefusedForItsDamage) {
             expectSame(c.state, mesh.state);
         } catch (const UserError& error) {
             EXPECT_FALSE(sound) << error.what();
-            EXPECT_NE(std::string(error.what()).find(expected), std::string::npos) << error.what() << "\nexpected: " << expected;
+            EXPECT_NE(std::string(error.what()).find(expected), std::string::npos)
+                << error.what() << "\nexpected: " << expected;
             EXPECT_FALSE(error.where().file.empty());
         } catch (const std::exception& error) {
             ADD_FAILURE() << "not a user's error: " << error.what();
@@ -95,8 +100,10 @@ TEST(GeneratedMsh, damageNeverCrashes) {
     for (unsigned k = 0; k < 400; ++k) {
         std::mt19937 random(k);
         std::string text = mshText(c.state, randomForm(random));
-        if (k % 2 == 0) text.resize(random() % text.size());
-        else text[random() % text.size()] = static_cast<char>(random());
+        if (k % 2 == 0)
+            text.resize(random() % text.size());
+        else
+            text[random() % text.size()] = static_cast<char>(random());
         try {
             takeMesh(c.description(), readMsh(c.folder.write("x.msh", text)));
         } catch (const UserError&) {

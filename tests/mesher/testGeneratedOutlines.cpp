@@ -1,4 +1,5 @@
-// Two hundred outlines with faults that the generator knows: each is meshed, or refused for what it has, with body and place.
+// Two hundred outlines with faults that the generator knows: each is meshed, or refused for what it has, with body and
+// place.
 
 #include <fmt/format.h>
 
@@ -61,7 +62,8 @@ bool crossesItself(const Points<2>& x) {
 
 /// A vertex a line: vertex k of the first body on line 8 + k.
 std::string bodyText(const std::string& name, const Points<2>& x, const std::string& more = "", bool solid = false) {
-    std::string text = name + "\n{\n" + (solid ? "type solid; material rubber;" : "type fluid; material water;") + more + " vertices\n(\n";
+    std::string text = name + "\n{\n" + (solid ? "type solid; material rubber;" : "type fluid; material water;") +
+                       more + " vertices\n(\n";
     for (const auto& p : x) text += fmt::format("({:.17g} {:.17g})\n", p.x(), p.y());
     return text + ");\n}\n";
 }
@@ -74,7 +76,8 @@ struct Outcome {
 
     bool says(const std::string& part) const { return message.find(part) != std::string::npos; }
     bool warns(const std::string& part) const {
-        return mesh && std::any_of(mesh->warnings.begin(), mesh->warnings.end(), [&](const auto& w) { return w.find(part) != std::string::npos; });
+        return mesh && std::any_of(mesh->warnings.begin(), mesh->warnings.end(),
+                                   [&](const auto& w) { return w.find(part) != std::string::npos; });
     }
     double worstAngle() const {
         return triangleQuality(mesh->state.nodes, mesh->state.mesh.fluid, 0, mesh->state.mesh.fluid.size()).minAngle;
@@ -85,7 +88,8 @@ struct Outcome {
 Outcome outcomeOf(const std::string& bodies, const std::string& walls = "") {
     Outcome outcome;
     try {
-        outcome.mesh = meshOf("meshSize " + fmt::format("{}", h) + ";\nbodies\n{\n" + bodies + "}\nwalls\n{\n" + walls + "}\n");
+        outcome.mesh =
+            meshOf("meshSize " + fmt::format("{}", h) + ";\nbodies\n{\n" + bodies + "}\nwalls\n{\n" + walls + "}\n");
         expectSound(outcome.mesh->state);
     } catch (const UserError& error) {
         outcome.message = error.what();
@@ -172,7 +176,8 @@ void expectDense(unsigned kind, double roughness, double angle) {
         const auto outcome = outcomeOf(x);
         const double area = areaOf(smooth);
         expectMeshed(outcome, area, 0.02, angle, fmt::format("{} points", n));
-        EXPECT_NEAR(outcome.mesh->state.mesh.fluid.size(), area / (0.25 * std::sqrt(3.0) * h * h), 0.2 * area / (0.43 * h * h));
+        EXPECT_NEAR(outcome.mesh->state.mesh.fluid.size(), area / (0.25 * std::sqrt(3.0) * h * h),
+                    0.2 * area / (0.43 * h * h));
         EXPECT_TRUE(outcome.warns(fmt::format("of {} are left out", n)));
     });
 }
@@ -240,8 +245,8 @@ TEST(GeneratedOutlines, holesThatTouch) {
     forEachOutline(9, [](Generator& g) {
         const int kind = g.whole(0, 3);
         const double x0 = g.real(0.3, 0.6), x1 = x0 + g.real(0.25, 0.5), y1 = kind == 1 ? 1 : g.real(0.3, 0.7);
-        Points<2> hole = box(x0, 0, x1, y1);                                  // on the floor; up to the surface
-        if (kind == 2) hole = {{x0, 0}, {x1, y1}, {x0 - 0.1, y1}};            // on a corner
+        Points<2> hole = box(x0, 0, x1, y1);                        // on the floor; up to the surface
+        if (kind == 2) hole = {{x0, 0}, {x1, y1}, {x0 - 0.1, y1}};  // on a corner
         std::string holes = " holes (a);", bodies = bodyText("a", hole, "", true);
         double area = 2 - areaOf(hole);
         if (kind == 3) {  // beside another one
@@ -250,7 +255,8 @@ TEST(GeneratedOutlines, holesThatTouch) {
             holes = " holes (a b);";
             bodies += bodyText("b", other, "", true);
         }
-        const auto outcome = outcomeOf(bodyText("blob", box(0, 0, 2, 1), holes) + bodies, "tank { points ((0 2) (0 0) (2 0) (2 2)); }");
+        const auto outcome =
+            outcomeOf(bodyText("blob", box(0, 0, 2, 1), holes) + bodies, "tank { points ((0 2) (0 0) (2 0) (2 2)); }");
         expectMeshed(outcome, area, 1e-12, 10, bodies);
     });
 }
@@ -259,8 +265,10 @@ TEST(GeneratedOutlines, holesThatCross) {
     forEachOutline(10, [](Generator& g) {
         const double x0 = g.real(0.3, 1), turned = g.whole(0, 1);
         const auto hole = turned ? box(-0.3, x0 * 0.3, 0.4, x0 * 0.3 + 0.4) : box(x0, -0.3, x0 + 0.4, 0.4);
-        const auto outcome = outcomeOf(bodyText("blob", box(0, 0, 2, 1), " holes (a);") + bodyText("a", hole, "", true));
-        EXPECT_TRUE(outcome.says("body 'blob' (edge") && outcome.says("body 'a' (edge") && outcome.says("cross near")) << outcome.message;
+        const auto outcome =
+            outcomeOf(bodyText("blob", box(0, 0, 2, 1), " holes (a);") + bodyText("a", hole, "", true));
+        EXPECT_TRUE(outcome.says("body 'blob' (edge") && outcome.says("body 'a' (edge") && outcome.says("cross near"))
+            << outcome.message;
     });
 }
 
@@ -268,8 +276,9 @@ TEST(GeneratedOutlines, narrow) {
     forEachOutline(11, [](Generator& g) {
         const double gap = g.real(0.01, 0.09) * h, x0 = g.real(0.4, 0.6);
         const bool notch = g.whole(0, 1);
-        const Points<2> x = notch ? Points<2>{{0, 0}, {1, 0}, {1, 1}, {x0 + gap, 1}, {x0 + gap, 0.4}, {x0, 0.4}, {x0, 1}, {0, 1}}
-                                  : Points<2>{{0, 0}, {1, 0}, {1, 1}, {x0 + 0.2, 1}, {x0, gap}, {x0 - 0.2, 1}, {0, 1}};
+        const Points<2> x =
+            notch ? Points<2>{{0, 0}, {1, 0}, {1, 1}, {x0 + gap, 1}, {x0 + gap, 0.4}, {x0, 0.4}, {x0, 1}, {0, 1}}
+                  : Points<2>{{0, 0}, {1, 0}, {1, 1}, {x0 + 0.2, 1}, {x0, gap}, {x0 - 0.2, 1}, {0, 1}};
         const auto outcome = outcomeOf(x);
         EXPECT_TRUE(outcome.says("comes within")) << outcome.message;
         EXPECT_TRUE(outcome.says(notch ? "edge 3-4" : "edge 0-1")) << outcome.message;
@@ -279,10 +288,13 @@ TEST(GeneratedOutlines, narrow) {
 TEST(GeneratedOutlines, wallsAndBodiesThatNearlyTouch) {
     forEachOutline(12, [](Generator& g) {
         const double off = std::array{1e-9, 1e-3, 0.08}[static_cast<std::size_t>(g.whole(0, 2))] * h;
-        const auto outcome = outcomeOf(bodyText("blob", box(0, 0, 1, 1)), fmt::format("tank {{ points ((0 2) (0 {0:.17g}) (1 {0:.17g}) (1 2)); }}", -off));
+        const auto outcome = outcomeOf(bodyText("blob", box(0, 0, 1, 1)),
+                                       fmt::format("tank {{ points ((0 2) (0 {0:.17g}) (1 {0:.17g}) (1 2)); }}", -off));
         EXPECT_EQ(outcome.mesh.has_value(), off < 1e-6 * h) << outcome.message;
         if (outcome.mesh) return;
-        EXPECT_TRUE(outcome.says("body 'blob'") && outcome.says("wall 'tank'") && outcome.says("neither joined nor apart")) << outcome.message;
+        EXPECT_TRUE(outcome.says("body 'blob'") && outcome.says("wall 'tank'") &&
+                    outcome.says("neither joined nor apart"))
+            << outcome.message;
     });
 }
 
@@ -301,7 +313,9 @@ TEST(GeneratedOutlines, anything) {
             if (outcome.mesh)
                 EXPECT_NEAR(outcome.mesh->bodies[0].area, areaOf(x), 0.02);
             else
-                EXPECT_TRUE(outcome.says("clockwise") || outcome.says("larger than body") || outcome.says("comes within") || outcome.says("spike")) << text;
+                EXPECT_TRUE(outcome.says("clockwise") || outcome.says("larger than body") ||
+                            outcome.says("comes within") || outcome.says("spike"))
+                    << text;
         }
     });
 }

@@ -26,7 +26,8 @@ TEST(MeshFile, Msh2AndMsh4GiveTheSameStateAgain) {
     expectSame(state, two.state);
     const auto four = takeMesh(fileDict(bodies, tank), readMsh(folder.write("b.msh", mshText(state, {.four = true}))));
     expectSame(state, four.state);
-    const auto scaled = takeMesh(fileDict(bodies, tank, "scale 0.001;"), readMsh(folder.write("c.msh", mshText(scaledBy(1000, state), {}))));
+    const auto scaled = takeMesh(fileDict(bodies, tank, "scale 0.001;"),
+                                 readMsh(folder.write("c.msh", mshText(scaledBy(1000, state), {}))));
     expectSame(state, scaled.state);
     EXPECT_NEAR(two.bodies[0].area, 0.146 * 0.292, 1e-12);
     EXPECT_NEAR(two.bodies[1].perimeter, 2 * (0.012 + 0.08), 1e-12);
@@ -145,13 +146,14 @@ TEST(MeshFile, TouchingBodiesNeedCommonNodes) {
     const Folder folder;
     // a second square beside the first one with a node in the middle of the common side; then with doubled points
     const auto text = [](const std::string& extra, int n, const std::string& cells, int m) {
-        return fmt::format("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n{}\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n{}$EndNodes\n"
-                           "$Elements\n{}\n1 2 1 1 1 2 3\n2 2 1 1 1 3 4\n{}$EndElements\n",
-                           n, extra, m, cells);
+        return fmt::format(
+            "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n{}\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n{}$EndNodes\n"
+            "$Elements\n{}\n1 2 1 1 1 2 3\n2 2 1 1 1 3 4\n{}$EndElements\n",
+            n, extra, m, cells);
     };
     const std::string both = "a { type fluid; material water; group 1; } b { type solid; material rubber; group 2; }";
-    const auto hanging = readMsh(folder.write(
-        "h.msh", text("5 2 0 0\n6 2 1 0\n7 1 0.5 0\n8 1 0 0\n9 1 1 0\n", 9, "3 2 1 2 8 5 7\n4 2 1 2 7 5 6\n5 2 1 2 7 6 9\n", 5)));
+    const auto hanging = readMsh(folder.write("h.msh", text("5 2 0 0\n6 2 1 0\n7 1 0.5 0\n8 1 0 0\n9 1 1 0\n", 9,
+                                                            "3 2 1 2 8 5 7\n4 2 1 2 7 5 6\n5 2 1 2 7 6 9\n", 5)));
     EXPECT_THROW(takeMesh(fileDict(both, ""), hanging), UserError);
     const auto doubled = readMsh(
         folder.write("d.msh", text("5 2 0 0\n6 2 1 0\n8 1 0 0\n9 1 1 0\n", 8, "3 2 1 2 8 5 6\n4 2 1 2 8 6 9\n", 4)));

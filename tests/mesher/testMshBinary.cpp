@@ -28,23 +28,23 @@ struct Bytes {
     }
 };
 
-std::uint64_t operator""_u(unsigned long long n) {
-    return n;
-}
+std::uint64_t operator""_u(unsigned long long n) { return n; }
 
 /// A triangle "w" with one edge "floor".
 std::string two() {
     Bytes b;
-    b << "$MeshFormat\n2.2 1 8\n" << 1 << "\n$EndMeshFormat\n$PhysicalNames\n2\n1 2 \"floor\"\n2 1 \"w\"\n$EndPhysicalNames\n$Nodes\n3\n";
+    b << "$MeshFormat\n2.2 1 8\n"
+      << 1 << "\n$EndMeshFormat\n$PhysicalNames\n2\n1 2 \"floor\"\n2 1 \"w\"\n$EndPhysicalNames\n$Nodes\n3\n";
     b << 1 << 0.0 << 0.0 << 0.0 << 2 << 1.0 << 0.0 << 0.0 << 3 << 0.25 << 0.1 << 0.0 << "\n$EndNodes\n$Elements\n2\n";
-    b << 1 << 1 << 2 << 1 << 2 << 7 << 1 << 2;       // type, elements, tags; number, tags, nodes
+    b << 1 << 1 << 2 << 1 << 2 << 7 << 1 << 2;  // type, elements, tags; number, tags, nodes
     b << 2 << 1 << 2 << 2 << 1 << 9 << 1 << 2 << 3;
     b << "\n$EndElements\n$Periodic\n" << 0_u << "\n$EndPeriodic\n";
     return b.content;
 }
 const char* textOfTwo =
     "$MeshFormat 2.2 0 8 $EndMeshFormat $PhysicalNames 2 1 2 \"floor\" 2 1 \"w\" $EndPhysicalNames "
-    "$Nodes 3 1 0 0 0 2 1 0 0 3 0.25 0.1 0 $EndNodes $Elements 2 1 1 2 2 7 1 2 2 2 2 1 9 1 2 3 $EndElements $Periodic $EndPeriodic";
+    "$Nodes 3 1 0 0 0 2 1 0 0 3 0.25 0.1 0 $EndNodes $Elements 2 1 1 2 2 7 1 2 2 2 2 1 9 1 2 3 $EndElements $Periodic "
+    "$EndPeriodic";
 
 /// The same in 4.1, with a point, places on the curve, and empty lists.
 std::string four() {
@@ -61,7 +61,8 @@ std::string four() {
     return b.content;
 }
 const char* textOfFour =
-    "$MeshFormat 4.1 0 8 $EndMeshFormat $Entities 1 1 1 0 5 0 0 0 0 7 0 0 0 1 0 0 1 2 2 5 -5 9 0 0 0 1 1 0 1 1 1 7 $EndEntities "
+    "$MeshFormat 4.1 0 8 $EndMeshFormat $Entities 1 1 1 0 5 0 0 0 0 7 0 0 0 1 0 0 1 2 2 5 -5 9 0 0 0 1 1 0 1 1 1 7 "
+    "$EndEntities "
     "$Nodes 2 3 1 3 1 7 1 2 1 2 0 0 0 0.5 1 0 0 0.75 2 9 0 1 3 0.25 0.1 0 $EndNodes "
     "$Elements 2 2 1 2 1 7 1 1 1 1 2 2 9 2 1 2 1 2 3 $EndElements";
 
@@ -98,9 +99,11 @@ TEST(MshBinary, WhatCannotBeReadIsNamed) {
     };
     EXPECT_NE(messageOf(with(two(), "2.2 1 8", "2.1 1 8")).find("save it as 2.2 or 4.1"), std::string::npos);
     EXPECT_NE(messageOf(with(four(), "4.1 1 8", "4.1 1 4")).find("not 8 bytes"), std::string::npos);
-    EXPECT_NE(messageOf(with(two(), std::string("\1\0\0\0", 4), std::string("\0\0\0\1", 4))).find("other order"), std::string::npos);
+    EXPECT_NE(messageOf(with(two(), std::string("\1\0\0\0", 4), std::string("\0\0\0\1", 4))).find("other order"),
+              std::string::npos);
     EXPECT_NE(messageOf(with(two(), "$Nodes\n3", "$Nodes\n2")).find("$EndNodes expected"), std::string::npos);
-    EXPECT_NE(messageOf(with(two(), "$Nodes\n3", "$Nodes\n999999999999")).find("no number of things"), std::string::npos);
+    EXPECT_NE(messageOf(with(two(), "$Nodes\n3", "$Nodes\n999999999999")).find("no number of things"),
+              std::string::npos);
     EXPECT_NE(messageOf(with(two(), "$EndPeriodic", "$")).find("without $EndPeriodic"), std::string::npos);
 }
 

@@ -57,7 +57,8 @@ TEST(MshSections, withoutGroupsTheEntitiesAreGroups) {
     EXPECT_EQ(refusal({.four = true, .saveAll = true}).find("Mesh.SaveAll"), std::string::npos);
     const MshCase c;
     const auto four = readMsh(c.write({.four = true, .saveAll = true}));
-    const auto mesh = takeMesh(describe("meshFile \"x.msh\"; bodies { a { type fluid; material water; group \"surface 1\"; } }"), four);
+    const auto mesh = takeMesh(
+        describe("meshFile \"x.msh\"; bodies { a { type fluid; material water; group \"surface 1\"; } }"), four);
     EXPECT_EQ(mesh.state.mesh.fluid.size(), c.state.mesh.fluid.size());
 }
 

@@ -30,7 +30,8 @@ void expectRefused(const std::string& text, const std::string& part, int line) {
 }
 
 bool warnsOf(const MeshResult& mesh, const std::string& part) {
-    return std::any_of(mesh.warnings.begin(), mesh.warnings.end(), [&](const auto& w) { return w.find(part) != std::string::npos; });
+    return std::any_of(mesh.warnings.begin(), mesh.warnings.end(),
+                       [&](const auto& w) { return w.find(part) != std::string::npos; });
 }
 
 double worstAngle(const MeshResult& mesh) {
@@ -47,7 +48,8 @@ TEST(Outlines, nearDuplicatesAreMergedAndSaid) {
         EXPECT_TRUE(warnsOf(mesh, "meshDict:10)")) << twice;
         EXPECT_GT(worstAngle(mesh), 25);
     }
-    EXPECT_TRUE(warnsOf(meshOf(linewise("(0 0) (1 0) (1 1) (0 1) (0 1e-10)")), "vertices 0 and 4 ("));  // the first one once more
+    EXPECT_TRUE(warnsOf(meshOf(linewise("(0 0) (1 0) (1 1) (0 1) (0 1e-10)")),
+                        "vertices 0 and 4 ("));  // the first one once more
     EXPECT_TRUE(meshOf(linewise("(0 0) (1 0) (1 1) (0 1)")).warnings.empty());
 }
 
@@ -68,13 +70,16 @@ std::string circle(int n, double x, double y, double r) {
     std::string vertices;
     for (int k = 0; k < n; ++k) {
         const double angle = 2 * std::numbers::pi * k / n;
-        vertices += fmt::format("{}({:.17g} {:.17g})", k == 0 ? "" : " ", x + r * std::cos(angle), y + r * std::sin(angle));
+        vertices +=
+            fmt::format("{}({:.17g} {:.17g})", k == 0 ? "" : " ", x + r * std::cos(angle), y + r * std::sin(angle));
     }
     return vertices;
 }
 
 TEST(Outlines, farFromTheOrigin) {
-    EXPECT_NEAR(meshOf(linewise("(1e9 -1e9) (1000000001 -1e9) (1000000001 -999999999) (1e9 -999999999)")).bodies[0].area, 1, 1e-6);
+    EXPECT_NEAR(
+        meshOf(linewise("(1e9 -1e9) (1000000001 -1e9) (1000000001 -999999999) (1e9 -999999999)")).bodies[0].area, 1,
+        1e-6);
 }
 
 // The signs of areas between points of one line are round-off.
@@ -97,7 +102,8 @@ TEST(Outlines, tinySpikes) {
 }
 
 TEST(Outlines, aPatchOfMergedPointsIsThereWithoutFaces) {
-    const auto state = meshOf(dictOf(solidBody("a", "(0 0) (1 0) (1 1e-10) (1 1) (0 1)", "patches { p { edges ((1 2)); } }"))).state;
+    const auto state =
+        meshOf(dictOf(solidBody("a", "(0 0) (1 0) (1 1e-10) (1 1) (0 1)", "patches { p { edges ((1 2)); } }"))).state;
     EXPECT_TRUE(patchOf(state, "p").faces.empty());
 }
 
@@ -108,21 +114,23 @@ TEST(Outlines, aThousandPointsOnACurve) {
     EXPECT_NEAR(mesh.bodies[0].area, std::numbers::pi, 0.005 * std::numbers::pi);
     EXPECT_NEAR(mesh.state.mesh.fluid.size(), std::numbers::pi / (0.25 * std::sqrt(3.0) * 0.01), 60);
     EXPECT_GT(worstAngle(mesh), 30);
-    EXPECT_NEAR(meshOf(dictOf(fluidBody("a", circle(100000, 0, 0, 1)))).bodies[0].area, std::numbers::pi, 0.005 * std::numbers::pi);
+    EXPECT_NEAR(meshOf(dictOf(fluidBody("a", circle(100000, 0, 0, 1)))).bodies[0].area, std::numbers::pi,
+                0.005 * std::numbers::pi);
 }
 
 // Water, a solid in it and a wall round it are thinned out alike: they go on sharing their nodes.
 TEST(Outlines, sharedLinesStayShared) {
-    const auto mesh = meshOf(dictOf(fluidBody("water", circle(400, 0, 0, 1), "holes (ball);") +
-                                        solidBody("ball", circle(300, 0.1, 0, 0.4)),
-                                    "bowl { closed yes; points (" + circle(400, 0, 0, 1) + "); }"));
+    const auto mesh = meshOf(
+        dictOf(fluidBody("water", circle(400, 0, 0, 1), "holes (ball);") + solidBody("ball", circle(300, 0.1, 0, 0.4)),
+               "bowl { closed yes; points (" + circle(400, 0, 0, 1) + "); }"));
     expectSound(mesh.state);
     EXPECT_NEAR(lengthOf(mesh.state, "bowl"), 2 * std::numbers::pi, 0.01);
     EXPECT_NEAR(mesh.bodies[0].area + mesh.bodies[1].area, std::numbers::pi, 0.02);
 }
 
 TEST(Outlines, aPatchKeepsItsEnds) {
-    const auto mesh = meshOf(dictOf(solidBody("ball", circle(300, 0, 0, 0.4), "patches { rim { edges ((0 1) (1 2) (2 3)); } }")));
+    const auto mesh =
+        meshOf(dictOf(solidBody("ball", circle(300, 0, 0, 0.4), "patches { rim { edges ((0 1) (1 2) (2 3)); } }")));
     expectSound(mesh.state);
     EXPECT_NEAR(lengthOf(mesh.state, "rim"), 3 * 2 * std::numbers::pi * 0.4 / 300, 1e-4);
     EXPECT_EQ(patchOf(mesh.state, "rim").faces.size(), 1u);
@@ -135,18 +143,22 @@ TEST(Outlines, whatTouchesItselfIsNamed) {
     expectRefused(linewise("(0 0) (2 3) (2 0) (0 3)"), "crosses itself near (1 1.5): edge 0-1 and edge 2-3", 8);
     expectRefused(linewise("(0 0) (2 3) (2 0) (0 2)"), "crosses itself", 8);
     // a hole that is drawn as a part of the outline, with a slit to it
-    expectRefused(linewise("(0 0) (2 0) (2 2) (0 2) (0 0) (0.5 0.5) (0.5 1.5) (1.5 1.5) (1.5 0.5) (0.5 0.5)"), "vertices 0 and 4 are one", 12);
+    expectRefused(linewise("(0 0) (2 0) (2 2) (0 2) (0 0) (0.5 0.5) (0.5 1.5) (1.5 1.5) (1.5 0.5) (0.5 0.5)"),
+                  "vertices 0 and 4 are one", 12);
 }
 
 TEST(Outlines, bowTieOfArcsCrossesItself) {
-    expectRefused("meshSize 0.1; bodies { a { type fluid; material water; vertices ((0 0) (1 1) (1 0) (0 1));"
-                  " edges (arc 0 1 (0.4 0.6)); } }",
-                  "crosses itself", 1);
+    expectRefused(
+        "meshSize 0.1; bodies { a { type fluid; material water; vertices ((0 0) (1 1) (1 0) (0 1));"
+        " edges (arc 0 1 (0.4 0.6)); } }",
+        "crosses itself", 1);
 }
 
 TEST(Outlines, narrowPlacesAndSpikes) {
-    expectRefused(linewise("(0 0) (1 0) (1 1) (0.505 1) (0.5 0.003) (0.495 1) (0 1)"), "of itself at (0.505 1), edge 3-4 and edge 4-5", 11);
-    expectRefused(linewise("(0 0) (1 0) (1 1) (0.5005 1) (0.5 1.09) (0.4995 1) (0 1)"), "comes within 0.001 of itself", 11);
+    expectRefused(linewise("(0 0) (1 0) (1 1) (0.505 1) (0.5 0.003) (0.495 1) (0 1)"),
+                  "of itself at (0.505 1), edge 3-4 and edge 4-5", 11);
+    expectRefused(linewise("(0 0) (1 0) (1 1) (0.5005 1) (0.5 1.09) (0.4995 1) (0 1)"), "comes within 0.001 of itself",
+                  11);
     expectRefused(dictOf(fluidBody("a", "(0 0) (1 0) (1 1) (0 1)"), "w { points ((0 1) (0 0) (0.09 -0.001)); }"),
                   "wall 'w' (edge 1-2) meet at (0 0) at an angle of 0.64 degrees", 8);
 }
@@ -154,7 +166,8 @@ TEST(Outlines, narrowPlacesAndSpikes) {
 TEST(Outlines, holesThatTouchTheOutline) {
     const std::string water = fluidBody("water", "(0 0) (2 0) (2 1) (0 1)", "holes (wall);"),
                       tank = "tank { points ((0 2) (0 0) (2 0) (2 2)); }";
-    const auto mesh = meshOf(dictOf(water + solidBody("wall", "(0.9 0) (1.1 0) (1.1 0.5) (0.9 0.5)", "patches { base { edges ((0 1)); } }"), tank));
+    const auto mesh = meshOf(dictOf(
+        water + solidBody("wall", "(0.9 0) (1.1 0) (1.1 0.5) (0.9 0.5)", "patches { base { edges ((0 1)); } }"), tank));
     expectSound(mesh.state);
     EXPECT_NEAR(mesh.bodies[0].area, 2 - 0.1, 1e-12);
     EXPECT_NEAR(lengthOf(mesh.state, "base"), 0.2, 1e-12);
@@ -169,7 +182,8 @@ TEST(Outlines, holesThatTouchTheOutline) {
     EXPECT_NEAR(corner.bodies[0].area, 2 - 0.15, 1e-12);
     // two holes side by side
     const auto pair = meshOf(dictOf(fluidBody("water", "(0 0) (2 0) (2 1) (0 1)", "holes (l r);") +
-                                    solidBody("l", "(0.7 0.3) (1 0.3) (1 0.7) (0.7 0.7)") + solidBody("r", "(1 0.2) (1.3 0.2) (1.3 0.7) (1 0.7)")));
+                                    solidBody("l", "(0.7 0.3) (1 0.3) (1 0.7) (0.7 0.7)") +
+                                    solidBody("r", "(1 0.2) (1.3 0.2) (1.3 0.7) (1 0.7)")));
     expectSound(pair.state);
     EXPECT_NEAR(pair.bodies[0].area, 2 - 0.12 - 0.15, 1e-12);
 }

@@ -74,10 +74,9 @@ TEST(Patterns, followsCurvedSides) {
 }
 
 TEST(Patterns, unstructuredNeighbourConforms) {
-    const auto state =
-        meshOf(dictOf(solidBody("block", "(0 0) (1 0) (1 1) (0 1)", "pattern crossed; cells (7 7);") +
-                      fluidBody("water", "(0 1) (1 1) (1 2) (0 2)")))
-            .state;
+    const auto state = meshOf(dictOf(solidBody("block", "(0 0) (1 0) (1 1) (0 1)", "pattern crossed; cells (7 7);") +
+                                     fluidBody("water", "(0 1) (1 1) (1 2) (0 2)")))
+                           .state;
     expectSound(state);
 }
 

@@ -1,4 +1,5 @@
-// Refinements of meshDict: edges have the wanted length in them, grow gently away from them, and counts are as they should be.
+// Refinements of meshDict: edges have the wanted length in them, grow gently away from them, and counts are as they
+// should be.
 
 #include <gtest/gtest.h>
 
@@ -41,25 +42,30 @@ TEST(Refinement, Box) {
 }
 
 TEST(Refinement, Curve) {
-    const auto mesh = meshOf(dictOf(tank, "", "0.05") +
-                             "refinements { path { type curve; points ((0 0.5) (0.5 0.5) (1 1)); distance 0.05; meshSize 0.015; } }");
+    const auto mesh =
+        meshOf(dictOf(tank, "", "0.05") +
+               "refinements { path { type curve; points ((0 0.5) (0.5 0.5) (1 1)); distance 0.05; meshSize 0.015; } }");
     expectSound(mesh.state);
-    EXPECT_NEAR(meanEdge(mesh.state, 0.015, [](const Vec<2>& x) { return x.x() < 0.45 && std::abs(x.y() - 0.5) < 0.04; }), 1, 0.18);
+    EXPECT_NEAR(
+        meanEdge(mesh.state, 0.015, [](const Vec<2>& x) { return x.x() < 0.45 && std::abs(x.y() - 0.5) < 0.04; }), 1,
+        0.18);
     EXPECT_NEAR(meanEdge(mesh.state, 0.05, [](const Vec<2>& x) { return x.y() < 0.2; }), 1, 0.06);
     EXPECT_GT(triangleQuality(mesh.state.nodes, mesh.state.mesh.fluid, 0, mesh.state.mesh.fluid.size()).minAngle, 20);
 }
 
 TEST(Refinement, CoarserThanTheBodyChangesNothing) {
     const auto plain = meshOf(dictOf(tank, "", "0.05"));
-    const auto mesh = meshOf(dictOf(tank, "", "0.05") + "refinements { all { type box; min (0 0); max (1 1); meshSize 0.1; } }");
+    const auto mesh =
+        meshOf(dictOf(tank, "", "0.05") + "refinements { all { type box; min (0 0); max (1 1); meshSize 0.1; } }");
     EXPECT_EQ(plain.state.nodes.x, mesh.state.nodes.x);
 }
 
 TEST(Refinement, Errors) {
-    for (const char* bad : {"type bux; min (0 0); max (1 1); meshSize 0.01;", "type box; min (0 0); max (1 0); meshSize 0.01;",
-                            "type box; min (0 0); max (1 1);", "type box; min (0 0); max (1 1); meshSize 1e-6;",
-                            "type curve; points ((0 0)); meshSize 0.01;", "type curve; points ((0 0) (0 0)); meshSize 0.01;",
-                            "type curve; points ((0 0) (1 0)); distance -1; meshSize 0.01;"}) {
+    for (const char* bad :
+         {"type bux; min (0 0); max (1 1); meshSize 0.01;", "type box; min (0 0); max (1 0); meshSize 0.01;",
+          "type box; min (0 0); max (1 1);", "type box; min (0 0); max (1 1); meshSize 1e-6;",
+          "type curve; points ((0 0)); meshSize 0.01;", "type curve; points ((0 0) (0 0)); meshSize 0.01;",
+          "type curve; points ((0 0) (1 0)); distance -1; meshSize 0.01;"}) {
         try {
             meshOf(dictOf(tank, "", "0.05") + "refinements { r { " + bad + " } }");
             ADD_FAILURE() << bad;

@@ -1,5 +1,6 @@
-// The same bodies in other units of length: the same mesh. Where lengths fit (points of the lattice just as far from the sides as is
-// allowed, corners of rectangles and trapezoids on one circle, seven and a half edges on a side), round-off must not choose.
+// The same bodies in other units of length: the same mesh. Where lengths fit (points of the lattice just as far from
+// the sides as is allowed, corners of rectangles and trapezoids on one circle, seven and a half edges on a side),
+// round-off must not choose.
 
 #include "cases.hpp"
 
@@ -44,8 +45,7 @@ TEST(Units, sizesOfTheDamBreak) {
 }
 
 TEST(Units, curvedBodiesHolesAndOtherSizes) {
-    for (const auto& text : {elasticContainer(), hydrostaticPlate(), cylinder()})
-        expectSameMesh(describe(text));
+    for (const auto& text : {elasticContainer(), hydrostaticPlate(), cylinder()}) expectSameMesh(describe(text));
 }
 
 TEST(Units, halfAnEdgeMoreOrLess) {  // 7.5 and 3.5 edges on the sides, and a place of finer mesh

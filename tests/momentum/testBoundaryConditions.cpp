@@ -65,16 +65,19 @@ TEST(BoundaryConditions, patternsAreForPatchesWithoutAnEntryOfTheirOwn) {
         return std::pair(conditions, unused);
     };
     const auto [kinds, unused] = read(
-        "wallFloor { type slip; friction 0.1; } \".*\" { type clamped; } \"wall.*\" { type noSlip; } \"wall(Left|Up)\" { type slip; }"
+        "wallFloor { type slip; friction 0.1; } \".*\" { type clamped; } \"wall.*\" { type noSlip; } \"wall(Left|Up)\" "
+        "{ type slip; }"
         "\"roof.*\" { type slip; } panes { type sideWalls; width 1; friction 0.5; }");
-    EXPECT_EQ(kinds.kind, (std::vector<PatchKind>{PatchKind::slipWall, PatchKind::noSlipWall, PatchKind::slipWall, PatchKind::clamped}));
+    EXPECT_EQ(kinds.kind, (std::vector<PatchKind>{PatchKind::slipWall, PatchKind::noSlipWall, PatchKind::slipWall,
+                                                  PatchKind::clamped}));
     EXPECT_EQ(kinds.friction[2], 0.1);
     EXPECT_EQ(kinds.friction[0], 0);
     EXPECT_EQ(kinds.sideFriction, 0.5);
     EXPECT_EQ(unused, std::vector<std::string>{"roof.*"});
     // the last pattern wins; each patch has a motion of its own
     EXPECT_EQ(read("\"wall.*\" { type noSlip; } \".*\" { type clamped; }").first.kind[0], PatchKind::clamped);
-    const auto moved = read("base { type clamped; } \"wall.*\" { type slip; motion { velocity (1 0 0); } }").first.motion;
+    const auto moved =
+        read("base { type clamped; } \"wall.*\" { type slip; motion { velocity (1 0 0); } }").first.motion;
     EXPECT_TRUE(moved[0] && moved[1] && moved[2] && !moved[3]);
 }
 

@@ -113,8 +113,8 @@ TEST(ViscousOperator, ofAFluidWithYieldStressIsTheDerivative) {
             return viscousForce<2>(f.patches, flowViscosity<2>(f.c.problem, cells, f.patches, u).mu, u);
         };
         const auto a = forceAt(plus), b = forceAt(minus);
-        const auto exact = f.force(
-            fluidTangentStress<2>(f.patches, flowViscosity<2>(f.c.problem, cells, f.patches, v), w, {}));
+        const auto exact =
+            f.force(fluidTangentStress<2>(f.patches, flowViscosity<2>(f.c.problem, cells, f.patches, v), w, {}));
         for (int i = 0; i < f.n; ++i) EXPECT_LT(((a[i] - b[i]) / (2 * eps) - exact[i]).norm(), 1e-5 * largest(exact));
         EXPECT_GT(largest(exact), 0.1);
     }

@@ -45,7 +45,8 @@ struct Solid {
     Points<2> force(const SolidControls& controls, const Nodes<2>& old, const Trial& t) const {
         Points<2> f(n, Vec<2>::Zero());
         const auto gradients = patches(gradientPositions<2>(controls, old, t.nodes)), end = patches(t.nodes.x);
-        addInternalForce<2>(end, solidElementStress<2>(c.problem, controls, cells, gradients, end, t.stress, t.nodes), f);
+        addInternalForce<2>(end, solidElementStress<2>(c.problem, controls, cells, gradients, end, t.stress, t.nodes),
+                            f);
         return f;
     }
     /// Force of the damper alone: no stress.
@@ -64,8 +65,8 @@ Eigen::VectorXd gather(const SolidDofs<2>& dofs, const Points<2>& u) {
     return r;
 }
 
-class SolidTangent
-    : public testing::TestWithParam<std::tuple<const char*, double, double, Integration, const char*>> {};
+class SolidTangent : public testing::TestWithParam<std::tuple<const char*, double, double, Integration, const char*>> {
+};
 
 // A_s = d(residual)/dv at small strain, for all updates, with and without damper, both time schemes and integrations.
 TEST_P(SolidTangent, isTheDerivativeOfTheResidual) {
@@ -99,8 +100,8 @@ TEST_P(SolidTangent, isTheDerivativeOfTheResidual) {
     Eigen::VectorXd inertia = exact;
     for (std::size_t k = 0; k < dofs.node.size(); ++k)
         for (int i = 0; i < dofs.count[dofs.node[k]]; ++i)
-            inertia[dofs.first[dofs.node[k]] + i] = newmark.massFactor() * mass[dofs.node[k]] *
-                                                    dofs.basis[k].col(i).dot(w[dofs.node[k]]);
+            inertia[dofs.first[dofs.node[k]] + i] =
+                newmark.massFactor() * mass[dofs.node[k]] * dofs.basis[k].col(i).dot(w[dofs.node[k]]);
     EXPECT_GT((exact - inertia).norm(), 1e-2 * exact.norm());
 }
 
@@ -110,8 +111,9 @@ INSTANTIATE_TEST_SUITE_P(updates, SolidTangent,
                                           testing::Values(Integration::nodal, Integration::elemental),
                                           testing::Values("velocity")));
 INSTANTIATE_TEST_SUITE_P(velocityPressure, SolidTangent,
-                         testing::Combine(testing::Values("rotatedMidpoint", "paper", "neoHookean"), testing::Values(0.0, 0.1),
-                                          testing::Values(0.5), testing::Values(Integration::nodal, Integration::elemental),
+                         testing::Combine(testing::Values("rotatedMidpoint", "paper", "neoHookean"),
+                                          testing::Values(0.0, 0.1), testing::Values(0.5),
+                                          testing::Values(Integration::nodal, Integration::elemental),
                                           testing::Values("velocityPressure")));
 
 TEST(Damper, vanishesForLinearFieldsAndDissipatesTheRest) {

@@ -32,12 +32,14 @@ TEST(MomentumSystem, solutionBalancesTheResidual) {
         Points<2> positive = randomVectors(n, 6);
         for (auto& u : positive) u = 1e3 * u.cwiseAbs();
         const auto inertia = matrixInertia<2>(mass, positive, newmark);
-        const auto A = solidMatrix<2>(c.problem, {}, c.state.mesh.solid, solid, dofs, inertia, c.state.nodes.h, newmark);
+        const auto A =
+            solidMatrix<2>(c.problem, {}, c.state.mesh.solid, solid, dofs, inertia, c.state.nodes.h, newmark);
         MomentumControls controls;
         controls.theta = theta;
         controls.linearTolerance = 1e-13;
         const auto viscosity = flowViscosity<2>(c.problem, c.state.mesh.fluid, fluid, c.state.nodes.v);
-        MomentumSystem<2> system(c.problem, controls, c.state.mesh, topology, constraints, fluid, viscosity, inertia, dofs, A, newmark);
+        MomentumSystem<2> system(c.problem, controls, c.state.mesh, topology, constraints, fluid, viscosity, inertia,
+                                 dofs, A, newmark);
 
         Points<2> R = randomVectors(n, 4);
         const auto dv = system.solve(R);
@@ -52,8 +54,10 @@ TEST(MomentumSystem, solutionBalancesTheResidual) {
         for (std::size_t k = 0; k < dofs.node.size(); ++k) u.segment<2>(dofs.first[dofs.node[k]]) = dv[dofs.node[k]];
         const Eigen::VectorXd Au = A.multiply(u);  // carries the fluid's mass at the interface too
         for (int i = 0; i < n; ++i) {
-            if (dofs.local[i] >= 0) sum[i] += Au.segment<2>(dofs.first[i]);
-            else if (!topology.onSolid[i]) sum[i] += inertia[i].cwiseProduct(dv[i]);
+            if (dofs.local[i] >= 0)
+                sum[i] += Au.segment<2>(dofs.first[i]);
+            else if (!topology.onSolid[i])
+                sum[i] += inertia[i].cwiseProduct(dv[i]);
             sum[i] = constraints.project(i, sum[i]);
             if (constraints.hold[i] == Hold::fixed) {
                 EXPECT_EQ(dv[i].norm(), 0);
@@ -63,10 +67,12 @@ TEST(MomentumSystem, solutionBalancesTheResidual) {
     }
 }
 
-// A node that hangs on one flat triangle is light, and viscosity counts there; that does not make the water a thick fluid.
+// A node that hangs on one flat triangle is light, and viscosity counts there; that does not make the water a thick
+// fluid.
 TEST(MomentumSystem, aFewLightNodesDoNotMakeAThickFluid) {
     const auto number = [](double mu, double flat) {
-        TestCase c = makeCase("meshSize 0.02; bodies ( water { type fluid; material water; pattern oneWay; " + rectangle(0, 0, 1, 1) + " } );",
+        TestCase c = makeCase("meshSize 0.02; bodies ( water { type fluid; material water; pattern oneWay; " +
+                                  rectangle(0, 0, 1, 1) + " } );",
                               "water { type newtonian; rho 1000; mu " + std::to_string(mu) + "; kappa 2.1e9; }", "");
         const auto topology = c.topology();
         int light = -1;
@@ -74,7 +80,8 @@ TEST(MomentumSystem, aFewLightNodesDoNotMakeAThickFluid) {
             if (topology.fluid.count(i) == 1) {
                 light = i;
                 const auto& s = c.state.mesh.fluid.nodes[topology.fluid.cell[topology.fluid.start[i]]];
-                const Vec<2> base = 0.5 * (c.state.nodes.x[s[0]] + c.state.nodes.x[s[1]] + c.state.nodes.x[s[2]] - c.state.nodes.x[i]);
+                const Vec<2> base =
+                    0.5 * (c.state.nodes.x[s[0]] + c.state.nodes.x[s[1]] + c.state.nodes.x[s[2]] - c.state.nodes.x[i]);
                 c.state.nodes.x[i] = base + flat * (c.state.nodes.x[i] - base);
             }
         const auto constraints = c.constraints(topology);
@@ -83,7 +90,8 @@ TEST(MomentumSystem, aFewLightNodesDoNotMakeAThickFluid) {
         const auto mass = fluidMass<2>(c.problem, c.state.mesh.fluid, fluid);
         const auto viscosity = flowViscosity<2>(c.problem, c.state.mesh.fluid, fluid, c.state.nodes.v);
         MomentumSystem<2> system(c.problem, {}, c.state.mesh, topology, constraints, fluid, viscosity,
-                                 matrixInertia<2>(mass, Points<2>(mass.size(), Vec<2>::Zero()), newmark), solidDofs<2>(topology.solid, constraints), {}, newmark);
+                                 matrixInertia<2>(mass, Points<2>(mass.size(), Vec<2>::Zero()), newmark),
+                                 solidDofs<2>(topology.solid, constraints), {}, newmark);
         EXPECT_GE(light, 0);
         Points<2> R(c.state.nodes.size(), Vec<2>::Zero());
         R[light] = {1, 0};
@@ -105,7 +113,8 @@ TEST(MomentumSystem, aFewLightNodesDoNotMakeAThickFluid) {
     EXPECT_TRUE(honeyIsThick);
 }
 
-// A flat surface that rises as a whole by u: the force on it is rho g u per length, downwards; half of it, over gamma, is gamma dt/2 dv.
+// A flat surface that rises as a whole by u: the force on it is rho g u per length, downwards; half of it, over gamma,
+// is gamma dt/2 dv.
 TEST(SurfaceStiffness, isThatOfGravityWaves) {
     TestCase c = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.5) +
                               " } ); walls ( tank { points ((0 0.8) (0 0) (1 0) (1 0.8)); } );",
@@ -136,8 +145,8 @@ TEST(MomentumResidual, inertiaAgainstFiniteDifferences) {
     const Newmark newmark{1e-2};
     const Vec<2> vOld(1, -2), v(1.1, -1.7), w(0.3, 0.9);
     const double eps = 1e-3;
-    const Vec<2> slope = (newmark.acceleration<2>(vOld, v + eps * w) -
-                          newmark.acceleration<2>(vOld, v - eps * w)) / (2 * eps);
+    const Vec<2> slope =
+        (newmark.acceleration<2>(vOld, v + eps * w) - newmark.acceleration<2>(vOld, v - eps * w)) / (2 * eps);
     EXPECT_LT((slope - newmark.gamma * newmark.massFactor() * w).norm(), 1e-9);  // the forces' derivative is by v^{n+1}
     EXPECT_NEAR(newmark.massFactor(), 2 / 1e-2, 1e-12);
 }

@@ -73,7 +73,8 @@ TEST(SideWalls, slowTheFlow) {
 
 TEST(SideWalls, whatTheyTakeIsDissipated) {
     TestCase c = slidingWater(3, "floor { type slip; } glass { type sideWalls; width 0.1; friction 0.02; }");
-    EXPECT_NEAR(energyPowers<2>(c.problem, c.controls, c.state).viscous, rho * 0.2 * 0.02 * 27 / 0.1, 1e-9 * rho);  // rho V c_f u^3/b
+    EXPECT_NEAR(energyPowers<2>(c.problem, c.controls, c.state).viscous, rho * 0.2 * 0.02 * 27 / 0.1,
+                1e-9 * rho);  // rho V c_f u^3/b
 }
 
 TEST(SideWalls, badWords) {

@@ -77,12 +77,14 @@ TEST(Keywords, MeshDictIsComplete) {
         "velocity (1 2); pattern checkerboard; cells (3 4); holes (); edges (arc 0 1 (0.5 -0.1)); "
         "patches { p { edges ((0 1)); } } } } "
         "walls { w { points ((0 0) (1 0)); closed no; moving no; meshSize 1; edges (); } } "
-        "refinements { b { type box; min (0 0); max (1 1); meshSize 1; } c { type curve; points ((0 0) (1 0)); distance 1; "
+        "refinements { b { type box; min (0 0); max (1 1); meshSize 1; } c { type curve; points ((0 0) (1 0)); "
+        "distance 1; "
         "meshSize 1; } }");
     readMeshDict(dict, {"oil"});
     expectDocumented(*dict.node(), names(meshKeywords()), {"a", "p", "w", "b", "c"});
     const auto file = Dictionary::parse(
-        "meshFile \"a.msh\"; scale 1; cellArray x; bodies { a { type fluid; material oil; group g; meshSize 1; patches { p { "
+        "meshFile \"a.msh\"; scale 1; cellArray x; bodies { a { type fluid; material oil; group g; meshSize 1; patches "
+        "{ p { "
         "group h; } } } } walls { w { group i; moving no; meshSize 1; } }");
     readMeshDict(file, {"oil"});
     expectDocumented(*file.node(), names(meshKeywords()), {"a", "p", "w"});
@@ -95,8 +97,10 @@ TEST(Keywords, ConstantIsComplete) {
     readMaterials(materials);
     expectDocumented(*materials.node(), names(constantKeywords()), {"water", "mud", "clay", "steel"});
     const auto conditions = Dictionary::parse(
-        "a { type slip; friction 0.004; } b { type clamped; } c { type symmetry; } d { type traction; traction (0 1 0); } e "
-        "{ type noSlip; motion { velocity (1 0 0); omega 1; origin (0 0 0); } } f { type sideWalls; width 1; friction 0.004; }");
+        "a { type slip; friction 0.004; } b { type clamped; } c { type symmetry; } d { type traction; traction (0 1 "
+        "0); } e "
+        "{ type noSlip; motion { velocity (1 0 0); omega 1; origin (0 0 0); } } f { type sideWalls; width 1; friction "
+        "0.004; }");
     std::vector<Patch<2>> patches;
     for (const char* name : {"a", "b", "c", "d", "e"}) patches.push_back({name, {}});
     readBoundaryConditions<2>(conditions, patches);
@@ -104,8 +108,8 @@ TEST(Keywords, ConstantIsComplete) {
 }
 
 TEST(Keywords, FunctionsAreComplete) {
-    const auto dict = Dictionary::parse(
-        "p { type probes; fields (p); points ((0 0 0)); } m { type fieldMinMax; fields (p); }");
+    const auto dict =
+        Dictionary::parse("p { type probes; fields (p); points ((0 0 0)); } m { type fieldMinMax; fields (p); }");
     for (const char* name : {"p", "m"}) {
         makeFunction<2>(dict.subDict(name), {name, "", "", 6, "0"});
         expectDocumented(*dict.subDict(name).node(), names(functionKeywords()), {});

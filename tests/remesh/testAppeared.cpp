@@ -27,10 +27,12 @@ TestCase collapse() {
 
 /// 0.06 m2 of water behind a gate that is lifted after a while: its foot leaves the floor and the water.
 TestCase gate() {
-    TestCase c = makeCase("meshSize 0.05; bodies ( water { type fluid; material water; " + rectangle(0, 0, 0.3, 0.2) +
-                              " } ); walls ( gate { moving true; points ((0.3 0) (0.3 0.5)); }"
-                              " tank { points ((0 0.8) (0 0) (1 0) (1 0.8)); } );",
-                          water, "tank { type slip; } gate { type slip; motion { velocity expression (\"0\" \"t > 0.02 ? 1 : 0\" \"0\"); } }");
+    TestCase c = makeCase(
+        "meshSize 0.05; bodies ( water { type fluid; material water; " + rectangle(0, 0, 0.3, 0.2) +
+            " } ); walls ( gate { moving true; points ((0.3 0) (0.3 0.5)); }"
+            " tank { points ((0 0.8) (0 0) (1 0) (1 0.8)); } );",
+        water,
+        "tank { type slip; } gate { type slip; motion { velocity expression (\"0\" \"t > 0.02 ? 1 : 0\" \"0\"); } }");
     c.start(1e-3);
     return c;
 }

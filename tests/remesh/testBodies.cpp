@@ -1,4 +1,5 @@
-// Bodies of water alone, thin and small, and two that become one: their volume is raw (volumeReturnTime 0), with the default remeshing.
+// Bodies of water alone, thin and small, and two that become one: their volume is raw (volumeReturnTime 0), with the
+// default remeshing.
 
 #include <gtest/gtest.h>
 
@@ -128,19 +129,21 @@ TEST(Bodies, dropOfSevenNodes) {
     EXPECT_LT(flight(c, h), 1e-12);
 }
 
-// Two discs touch off their centres, in the solver's own steps. What closes between them, and what the impact presses, is about h^2 in a
-// step: beside the volume it falls with h^2, and from 11000 h^2 on it is less than 1e-4 (19700 h^2: 4.5e-5). In steps that do not see the air between the
-// surfaces (State::approach) they cross before they are seen to touch, and 1.4 h^2 of overlap is lost.
+// Two discs touch off their centres, in the solver's own steps. What closes between them, and what the impact presses,
+// is about h^2 in a step: beside the volume it falls with h^2, and from 11000 h^2 on it is less than 1e-4 (19700
+// h^2: 4.5e-5). In steps that do not see the air between the surfaces (State::approach) they cross before they are seen
+// to touch, and 1.4 h^2 of overlap is lost.
 class Merging : public testing::TestWithParam<double> {};
 
 TEST_P(Merging, isWithoutAJump) {
     const double h = GetParam(), radius = 0.28;
     const auto disc = [&](int side, double y) {
-        return " { type fluid; material water; velocity (" + std::to_string(-0.2 * side) +
-               " 0); " + polygon({side * (radius + 0.5 * h), y}, radius, static_cast<int>(1.8 / h)) + " } ";
+        return " { type fluid; material water; velocity (" + std::to_string(-0.2 * side) + " 0); " +
+               polygon({side * (radius + 0.5 * h), y}, radius, static_cast<int>(1.8 / h)) + " } ";
     };
-    TestCase c = makeCase("meshSize " + std::to_string(h) + "; bodies ( left" + disc(-1, 0) + " right" + disc(1, 0.05) + ");",
-                          water, "", {0, 0});
+    TestCase c =
+        makeCase("meshSize " + std::to_string(h) + "; bodies ( left" + disc(-1, 0) + " right" + disc(1, 0.05) + ");",
+                 water, "", {0, 0});
     c.controls.continuity.volumeReturnTime = 0;
     c.start(1e-3);
     const double first = totalVolume<2>(c.state);
@@ -154,7 +157,8 @@ TEST_P(Merging, isWithoutAJump) {
         change = std::max(change, std::abs(now - first));
         last = now;
     }
-    std::cout << first / (h * h) << " h^2, largest step " << jump / (h * h) << " h^2, largest change " << change / first << "\n"
+    std::cout << first / (h * h) << " h^2, largest step " << jump / (h * h) << " h^2, largest change " << change / first
+              << "\n"
               << shares(c.state, first);
     EXPECT_GT(c.state.ledger.at("contact"), 0);
     EXPECT_LT(jump, h * h);

@@ -13,13 +13,17 @@ using namespace pfem::test;
 namespace {
 
 TestCase damBreak(const std::string& condition) {
-    return makeCase("meshSize 0.01; bodies ("
-                    " water { type fluid; material water; " + rectangle(0, 0, 0.1, 0.2) + " }"
-                    " wall { type solid; material rubber; meshSize 0.005; " + rectangle(0.2, 0, 0.21, 0.05) +
-                    "  patches { base { edges ((0 1)); } } } );"
-                    " walls ( tank { points ((0 0.5) (0 0) (0.4 0) (0.4 0.5)); } );",
-                    water + "rubber { type hypoelastic; rho 2500; E 1e6; nu 0; }",
-                    "tank { type " + condition + "; } base { type clamped; }");
+    return makeCase(
+        "meshSize 0.01; bodies ("
+        " water { type fluid; material water; " +
+            rectangle(0, 0, 0.1, 0.2) +
+            " }"
+            " wall { type solid; material rubber; meshSize 0.005; " +
+            rectangle(0.2, 0, 0.21, 0.05) +
+            "  patches { base { edges ((0 1)); } } } );"
+            " walls ( tank { points ((0 0.5) (0 0) (0.4 0) (0.4 0.5)); } );",
+        water + "rubber { type hypoelastic; rho 2500; E 1e6; nu 0; }",
+        "tank { type " + condition + "; } base { type clamped; }");
 }
 
 void advanceTo(TestCase& c, double time, const std::function<void(const AdvanceReport&)>& check = {}) {
@@ -46,14 +50,15 @@ TEST_P(DamBreak, ledgerAddsUp) {
         worst = std::max(worst, std::abs(totalVolume<2>(c.state) - first - c.ledgerSum()));
         double lost = 0;
         for (double amount : c.state.nodes.lostVolume) lost += amount;
-        worstLocal = std::max(worstLocal, std::abs(totalVolume<2>(c.state) - first + lost - c.state.ledger.at("compression")));
+        worstLocal =
+            std::max(worstLocal, std::abs(totalVolume<2>(c.state) - first + lost - c.state.ledger.at("compression")));
         change = std::max(change, std::abs(totalVolume<2>(c.state) / first - 1));
         for (const auto& s : c.state.mesh.fluid.nodes) ASSERT_GT(simplexMeasure<2>(c.state.nodes.x, s), 0);
     }));
-    std::cout << steps << " steps, " << rejected << " rejected, iterations "
-              << static_cast<double>(iterations) / steps << ", ledger to " << worst / first << ", largest change "
-              << 100 * change << " %\n";
-    for (const auto& [cause, amount] : c.state.ledger) std::cout << "  " << cause << " " << 100 * amount / first << " %\n";
+    std::cout << steps << " steps, " << rejected << " rejected, iterations " << static_cast<double>(iterations) / steps
+              << ", ledger to " << worst / first << ", largest change " << 100 * change << " %\n";
+    for (const auto& [cause, amount] : c.state.ledger)
+        std::cout << "  " << cause << " " << 100 * amount / first << " %\n";
     EXPECT_GT(steps, 300);
     EXPECT_LT(worst, 1e-12 * first);
     EXPECT_LT(worstLocal, 1e-12 * first) << "what the nodes lack is not what the fluid has lost";
@@ -75,8 +80,8 @@ INSTANTIATE_TEST_SUITE_P(walls, DamBreak, testing::Values("slip", "noSlip"),
 bool sameBits(const State<2>& a, const State<2>& b) {
     return a.nodes.id == b.nodes.id && a.nodes.x == b.nodes.x && a.nodes.v == b.nodes.v && a.nodes.a == b.nodes.a &&
            a.nodes.p == b.nodes.p && a.nodes.sigma == b.nodes.sigma && a.nodes.dropVolume == b.nodes.dropVolume &&
-           a.nodes.lostVolume == b.nodes.lostVolume &&
-           a.mesh.fluid.nodes == b.mesh.fluid.nodes && a.ledger == b.ledger && a.nextId == b.nextId && a.approach == b.approach;
+           a.nodes.lostVolume == b.nodes.lostVolume && a.mesh.fluid.nodes == b.mesh.fluid.nodes &&
+           a.ledger == b.ledger && a.nextId == b.nextId && a.approach == b.approach;
 }
 
 TEST(DamBreakBits, sameInEveryRunAndOnAnyNumberOfThreads) {

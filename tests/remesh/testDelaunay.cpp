@@ -186,7 +186,8 @@ struct Swarm {
     std::vector<Face<2>> wished() {
         std::vector<Face<2>> faces;
         for (int k = 0; k < 40; ++k) {
-            const int a = static_cast<int>(draw(0, static_cast<double>(x.size()))), b = static_cast<int>(draw(0, static_cast<double>(x.size())));
+            const int a = static_cast<int>(draw(0, static_cast<double>(x.size()))),
+                      b = static_cast<int>(draw(0, static_cast<double>(x.size())));
             if (a != b && (x[a] - x[b]).norm() < 0.2) faces.push_back({a, b});
         }
         return faces;
@@ -209,9 +210,11 @@ TEST(Triangulator, mendsToWhatComesFromNothing) {
         for (int i = 0; i < 400; ++i) swarm.add({swarm.draw(0, 1), swarm.draw(0, 1)});
         Triangulator triangulator;
         for (int round = 0; round < 30; ++round) {
-            swarm.expectSame(triangulator, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}, std::to_string(step) + " round " + std::to_string(round));
+            swarm.expectSame(triangulator, {{0, 1}, {1, 2}, {2, 3}, {3, 0}},
+                             std::to_string(step) + " round " + std::to_string(round));
             for (std::size_t i = 4; i < swarm.x.size(); ++i)
-                for (int d = 0; d < 2; ++d) swarm.x[i][d] = std::clamp(swarm.x[i][d] + step * swarm.draw(-1, 1), 0.0, 1.0);
+                for (int d = 0; d < 2; ++d)
+                    swarm.x[i][d] = std::clamp(swarm.x[i][d] + step * swarm.draw(-1, 1), 0.0, 1.0);
             for (int k = 0; k < round % 4; ++k) {
                 swarm.removeAt(static_cast<std::size_t>(swarm.draw(4, static_cast<double>(swarm.x.size()))));
                 swarm.add({swarm.draw(0, 1), swarm.draw(0, 1)});

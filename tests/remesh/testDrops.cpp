@@ -20,10 +20,9 @@ constexpr double volume = 1e-4;
 
 /// Water at rest in a tank, 1 m wide and high, half full.
 TestCase tank(const std::string& kind = "slip") {
-    TestCase c =
-        makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.5) +
-                     " } ); walls ( tank { points ((0 1) (0 0) (1 0) (1 1)); } );",
-                 water, "tank { type " + kind + "; }");
+    TestCase c = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.5) +
+                              " } ); walls ( tank { points ((0 1) (0 0) (1 0) (1 1)); } );",
+                          water, "tank { type " + kind + "; }");
     c.start(1e-3);
     return c;
 }
@@ -77,8 +76,7 @@ TEST(Drops, aStepOfManyTriangles) {
 
 // Over water at rest a fast drop asks for its own steps only when it comes near, and then it joins the water.
 TEST(Drops, areSeenBeforeTheyStrike) {
-    for (const double x :
-         {0.55, 0.501}) {  // between two nodes of the surface, and on one: its own node there goes
+    for (const double x : {0.55, 0.501}) {  // between two nodes of the surface, and on one: its own node there goes
         TestCase c = tank();
         const Id id = c.state.nodes.id[addDrop(c.state, {x, 0.95}, {0, -20})];
         const auto flies = [&] {
@@ -88,8 +86,7 @@ TEST(Drops, areSeenBeforeTheyStrike) {
         int steps = 0, rejected = 0;
         for (; steps < 40 && flies(); ++steps) {
             const auto rate = courantRate<2>(c.state);
-            rejected +=
-                c.step(std::min({0.01, 0.8 / rate.largest, 0.7 / (rate.compression + 1e-300)})).rejected;
+            rejected += c.step(std::min({0.01, 0.8 / rate.largest, 0.7 / (rate.compression + 1e-300)})).rejected;
         }
         EXPECT_LT(steps, 15) << x;
         EXPECT_EQ(rejected, 0) << x;
@@ -104,12 +101,10 @@ TEST(Drops, joinWhatTheyMeet) {
     for (const double speed : {-3.0, 3.0}) {
         TestCase c = tank();
         const int node = nearestNode(c.state.nodes.x, {0.5, 0.5});
-        const Id water = c.state.nodes.id[node],
-                 drop = c.state.nodes.id[addDrop(c.state, {0.51, 0.51}, {1, speed})];
+        const Id water = c.state.nodes.id[node], drop = c.state.nodes.id[addDrop(c.state, {0.51, 0.51}, {1, speed})];
         double patch = 0, before = totalVolume<2>(c.state);
         for (const auto& s : c.state.mesh.fluid.nodes)
-            if (std::find(s.begin(), s.end(), node) != s.end())
-                patch += simplexMeasure<2>(c.state.nodes.x, s) / 3;
+            if (std::find(s.begin(), s.end(), node) != s.end()) patch += simplexMeasure<2>(c.state.nodes.x, s) / 3;
         for (double lost : c.state.nodes.lostVolume) before += lost;
         const Vec<2> v = c.state.nodes.v[node];
         remesh<2>(c.controls.remeshing, c.kinds(), c.state);
@@ -158,8 +153,7 @@ TEST(Drops, whatGoesIsInTheLedger) {
         const Id stays = c.state.nodes.id[addDrop(c.state, {0.3, 0.8}, {0, 0})],
                  goes = c.state.nodes.id[addDrop(c.state, {0.5, -0.3}, {0, -1})];
         const double before = totalVolume<2>(c.state), sum = c.ledgerSum();
-        const double lost =
-            std::accumulate(c.state.nodes.lostVolume.begin(), c.state.nodes.lostVolume.end(), 0.0);
+        const double lost = std::accumulate(c.state.nodes.lostVolume.begin(), c.state.nodes.lostVolume.end(), 0.0);
         countAppeared(c.state);
         auto ledger = c.state.ledger;
         c.step(1e-3);
@@ -170,12 +164,11 @@ TEST(Drops, whatGoesIsInTheLedger) {
         EXPECT_NEAR(totalVolume<2>(c.state) - before, c.ledgerSum() - sum, 1e-14);
         // what nodes lack, cells, drops and what has gone: all that there was
         const auto& now = c.state.nodes.lostVolume;
-        EXPECT_NEAR(
-            totalVolume<2>(c.state) + std::accumulate(now.begin(), now.end(), 0.0) - goneVolume<2>(c.state),
-            before + lost, 1e-14);
+        EXPECT_NEAR(totalVolume<2>(c.state) + std::accumulate(now.begin(), now.end(), 0.0) - goneVolume<2>(c.state),
+                    before + lost, 1e-14);
         for (const auto& [cause, amounts] : c.state.appeared)
-            EXPECT_NEAR(std::accumulate(amounts.begin(), amounts.end(), 0.0),
-                        c.state.ledger[cause] - ledger[cause], 1e-14)
+            EXPECT_NEAR(std::accumulate(amounts.begin(), amounts.end(), 0.0), c.state.ledger[cause] - ledger[cause],
+                        1e-14)
                 << cause;
         EXPECT_EQ(c.state.appeared.count("gone"), letGo ? 1u : 0u);
         countAppeared(c.state);

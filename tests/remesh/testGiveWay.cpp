@@ -114,7 +114,8 @@ TEST(GiveWay, noCellLosesMoreThanHalf) {
     const int i = t.surfaceNode(0.5);
     for (int s = t.topology.fluid.start[i]; s < t.topology.fluid.start[i + 1]; ++s) {
         const auto& cell = t.c.state.mesh.fluid.nodes[t.topology.fluid.cell[s]];
-        if (std::count_if(cell.begin(), cell.end(), [&](int node) { return t.topology.freeSurface[node]; }) > 1) continue;
+        if (std::count_if(cell.begin(), cell.end(), [&](int node) { return t.topology.freeSurface[node]; }) > 1)
+            continue;
         for (int node : cell)  // a flat cell under the surface
             if (node != i) t.c.state.nodes.x[node][1] = t.c.state.nodes.x[i][1] - 0.004;
     }

@@ -23,7 +23,8 @@ int removed(const TestCase& c) {
 
 TEST(NodePlan, acrossAFilm) {
     const auto film = [](double thickness, double limit) {
-        TestCase c = makeCase("meshSize 0.1; bodies ( film { type fluid; material water; " + rectangle(0, 0, 1, h) + " } );", water, "");
+        TestCase c = makeCase(
+            "meshSize 0.1; bodies ( film { type fluid; material water; " + rectangle(0, 0, 1, h) + " } );", water, "");
         c.controls.remeshing.removeDistanceFilm = limit;
         for (auto& x : c.state.nodes.x) x[1] *= thickness;  // in units of h
         return removed(c);
@@ -37,8 +38,9 @@ TEST(NodePlan, acrossAFilm) {
 
 /// The inner node of the cell at the middle of the upper side, at this height [h] under the middle of its face.
 int underSurface(double height, double limit, const std::string& walls = "", const std::string& conditions = "") {
-    TestCase c = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.5) + " } );" + walls,
-                          water, conditions);
+    TestCase c = makeCase(
+        "meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.5) + " } );" + walls,
+        water, conditions);
     c.controls.remeshing.removeDistance = 0.5;  // the ends of the face are 0.5 h away at least
     c.controls.remeshing.removeHeight = limit;
     const auto topology = c.topology();

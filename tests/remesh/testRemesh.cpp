@@ -32,13 +32,19 @@ TestCase tank() {
 
 /// Water on both sides of an upright solid, two cells thick, in a tank.
 TestCase divided() {
-    return makeCase("meshSize 0.05; bodies ("
-                    " left { type fluid; material water; " + rectangle(0, 0, 0.4, 0.4) + " }"
-                    " right { type fluid; material water; " + rectangle(0.44, 0, 0.84, 0.3) + " }"
-                    " wall { type solid; material rubber; meshSize 0.02; " + rectangle(0.4, 0, 0.44, 0.5) +
-                    "  patches { base { edges ((0 1)); } } } );"
-                    " walls ( tank { points ((0 0.7) (0 0) (0.84 0) (0.84 0.7)); } );",
-                    water + rubber, "tank { type slip; } base { type clamped; }");
+    return makeCase(
+        "meshSize 0.05; bodies ("
+        " left { type fluid; material water; " +
+            rectangle(0, 0, 0.4, 0.4) +
+            " }"
+            " right { type fluid; material water; " +
+            rectangle(0.44, 0, 0.84, 0.3) +
+            " }"
+            " wall { type solid; material rubber; meshSize 0.02; " +
+            rectangle(0.4, 0, 0.44, 0.5) +
+            "  patches { base { edges ((0 1)); } } } );"
+            " walls ( tank { points ((0 0.7) (0 0) (0.84 0) (0.84 0.7)); } );",
+        water + rubber, "tank { type slip; } base { type clamped; }");
 }
 
 TEST(Remesh, meshAtRestKeepsItsCells) {
@@ -59,8 +65,8 @@ TEST(Remesh, meshAtRestKeepsItsCells) {
 
 TEST(Remesh, calmMotionKeepsTheVolume) {
     // shear and stretch of a free block: the boundary moves, but what it encloses is known
-    TestCase c = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.5) +
-                              " } );", water, "");
+    TestCase c = makeCase(
+        "meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.5) + " } );", water, "");
     Tensor<2> F;
     F << 1.02, 0.15, -0.03, 0.99;
     for (auto& x : c.state.nodes.x) x = F * x;
@@ -75,7 +81,8 @@ TEST(Remesh, historyOfSolidCells) {
     auto& solid = c.state.mesh.solid;
     const auto corners = [&] {  // by ids, for indices change
         std::vector<std::array<Id, 3>> ids;
-        for (const auto& s : solid.nodes) ids.push_back({c.state.nodes.id[s[0]], c.state.nodes.id[s[1]], c.state.nodes.id[s[2]]});
+        for (const auto& s : solid.nodes)
+            ids.push_back({c.state.nodes.id[s[0]], c.state.nodes.id[s[1]], c.state.nodes.id[s[2]]});
         return ids;
     };
     for (int e = 0; e < solid.size(); ++e) solid.sigma.push_back(Stress<2>(e + 0.1, -e, 0.3 * e, 1.0 / (e + 1)));
@@ -146,8 +153,8 @@ TEST(Remesh, closeNodesGoAndLongEdgesAreHalved) {
     EXPECT_TRUE(std::is_sorted(c.state.nodes.id.begin(), c.state.nodes.id.end()));
     EXPECT_EQ(c.state.nextId, next + report.inserted);
 
-    TestCase wide = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.5) +
-                                 " } );", water, "");
+    TestCase wide = makeCase(
+        "meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.5) + " } );", water, "");
     for (auto& x : wide.state.nodes.x) x[0] *= 1.9;
     for (int k = 0; k < wide.state.nodes.size(); ++k) {  // linear fields survive insertion
         wide.state.nodes.v[k] = {1 + wide.state.nodes.x[k][0], 2 * wide.state.nodes.x[k][1]};

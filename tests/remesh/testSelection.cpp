@@ -41,10 +41,10 @@ TEST(Contact, blockOverASolid) {
         }
         return touches(c);
     };
-    EXPECT_FALSE(connects(0.1, -1));    // closing but far
+    EXPECT_FALSE(connects(0.1, -1));  // closing but far
     EXPECT_FALSE(connects(0.03, -1));
-    EXPECT_FALSE(connects(0.02, 1));    // near but leaving
-    EXPECT_FALSE(connects(0.02, 0));    // near but at rest
+    EXPECT_FALSE(connects(0.02, 1));  // near but leaving
+    EXPECT_FALSE(connects(0.02, 0));  // near but at rest
     EXPECT_TRUE(connects(0.02, -1));
 }
 
@@ -69,11 +69,11 @@ TEST(Contact, blockFallsOnAWall) {
 
 TEST(Contact, twoBlocksMeet) {
     const auto connects = [](double gap, double v) {
-        TestCase c = makeCase("meshSize 0.05; bodies ( left { type fluid; material water; velocity (" +
-                                  std::to_string(v) + " 0); " + rectangle(0, 0, 0.3, 0.3) +
-                                  " } right { type fluid; material water; " +
-                                  rectangle(0.3 + gap, 0, 0.6 + gap, 0.3) + " } );",
-                              water, "", {0, 0});
+        TestCase c =
+            makeCase("meshSize 0.05; bodies ( left { type fluid; material water; velocity (" + std::to_string(v) +
+                         " 0); " + rectangle(0, 0, 0.3, 0.3) + " } right { type fluid; material water; " +
+                         rectangle(0.3 + gap, 0, 0.6 + gap, 0.3) + " } );",
+                     water, "", {0, 0});
         remesh<2>(c.controls.remeshing, c.kinds(), c.state);
         return c.state.ledger.at("contact") > 0;
     };

@@ -54,7 +54,8 @@ inline Outcome inChild(const std::function<void()>& body) {
     close(pipes[1]);
     Outcome result;
     char buffer[4096];
-    for (ssize_t n; (n = read(pipes[0], buffer, sizeof buffer)) > 0;) result.text.append(buffer, static_cast<std::size_t>(n));
+    for (ssize_t n; (n = read(pipes[0], buffer, sizeof buffer)) > 0;)
+        result.text.append(buffer, static_cast<std::size_t>(n));
     close(pipes[0]);
     int status = 0;
     waitpid(child, &status, 0);

@@ -34,7 +34,8 @@ void tryFolders(bool signedAnew) {
         Mutator mutator(5000 + static_cast<unsigned>(seed));
         const std::string& file = files[static_cast<std::size_t>(seed) % (signedAnew ? 3 : 4)];
         for (const auto& [name, content] : original) std::ofstream(time / name, std::ios::binary) << content;
-        const std::string damaged = file == "uniform/time" ? mutator.text(original[file]) : mutator.bytes(original[file]);
+        const std::string damaged =
+            file == "uniform/time" ? mutator.text(original[file]) : mutator.bytes(original[file]);
         std::ofstream(time / file, std::ios::binary) << damaged;
         if (signedAnew) {
             UniformTime uniform = readUniformTime(time);
@@ -42,7 +43,9 @@ void tryFolders(bool signedAnew) {
             std::ofstream(time / "uniform/time") << formatUniformTime(uniform, "1");
         }
         const Outcome outcome = inChild([&] { readState<2>(time); });
-        const auto about = [&] { return file + ", seed " + std::to_string(seed) + "\n" + outcome.text.substr(0, 3000); };
+        const auto about = [&] {
+            return file + ", seed " + std::to_string(seed) + "\n" + outcome.text.substr(0, 3000);
+        };
         EXPECT_TRUE(outcome.code == 0 || outcome.code == 1) << outcome.code << " " << about();
         EXPECT_EQ(outcome.text.find("error of the program"), std::string::npos) << about();
         used += outcome.code == 0;
@@ -60,12 +63,8 @@ void tryFolders(bool signedAnew) {
     std::cout << n << " damaged folders, " << used << " usable, " << n - used << " refused\n";
 }
 
-TEST(MutatedTimeFolders, areRefusedByTheirChecksum) {
-    tryFolders(false);
-}
+TEST(MutatedTimeFolders, areRefusedByTheirChecksum) { tryFolders(false); }
 
-TEST(MutatedTimeFolders, withRightChecksumsAreReadOrRefused) {
-    tryFolders(true);
-}
+TEST(MutatedTimeFolders, withRightChecksumsAreReadOrRefused) { tryFolders(true); }
 
 }  // namespace

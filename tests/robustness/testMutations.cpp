@@ -76,7 +76,8 @@ protected:
         Triangulator triangulator;
         recorder.start(controls, state, clock.deltaT(state.time));
         functions.start(state);
-        const auto report = recorder.advance(controls, triangulator, state, clock.deltaT(state.time, {.courant = courantRate(state).largest}));
+        const auto report = recorder.advance(controls, triangulator, state,
+                                             clock.deltaT(state.time, {.courant = courantRate(state).largest}));
         state.time = clock.advance(state.time, report.dt);
         functions.execute(state);
         recorder.save(state);
@@ -109,8 +110,8 @@ TEST_P(MutatedDictionaries, areUsedOrRefusedWithTheirLine) {
         std::ofstream(file, std::ios::binary) << text;
         const Outcome outcome = inChild(use);
         const auto about = [&] {
-            return std::string(GetParam()) + ", seed " + std::to_string(seed) + ", code " + std::to_string(outcome.code) +
-                   "\n" + outcome.text.substr(0, 3000) + "\n" + text.substr(0, 3000);
+            return std::string(GetParam()) + ", seed " + std::to_string(seed) + ", code " +
+                   std::to_string(outcome.code) + "\n" + outcome.text.substr(0, 3000) + "\n" + text.substr(0, 3000);
         };
         EXPECT_TRUE(outcome.code == 0 || outcome.code == 1) << about();
         EXPECT_EQ(outcome.text.find("error of the program"), std::string::npos) << about();
@@ -123,7 +124,8 @@ TEST_P(MutatedDictionaries, areUsedOrRefusedWithTheirLine) {
             std::vector<std::string> unknown;
             unknownKeys(Dictionary::read(file), known, outcome.text, unknown);
             for (const auto& key : unknown)
-                EXPECT_TRUE(outcome.text.find("'" + key + "'") != std::string::npos || text.find("$" + key) != std::string::npos)
+                EXPECT_TRUE(outcome.text.find("'" + key + "'") != std::string::npos ||
+                            text.find("$" + key) != std::string::npos)
                     << "no warning of '" << key << "': " << about();
         }
     }

@@ -32,8 +32,8 @@ Peak peak(const std::string& cells, double dt, double endTime, const std::string
         if (u > p.value) p = {u, c.state.time.value, 0};
     }
     p.iterations = (iterations + steps - 1) / steps;
-    std::cout << integration << " " << formulation << " " << update << " " << cells << " dt " << dt << ": peak " << p.value << " at "
-              << p.time << " s, iterations " << p.iterations << "\n";
+    std::cout << integration << " " << formulation << " " << update << " " << cells << " dt " << dt << ": peak "
+              << p.value << " at " << p.time << " s, iterations " << p.iterations << "\n";
     return p;
 }
 

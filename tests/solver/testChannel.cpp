@@ -17,10 +17,11 @@ namespace {
 constexpr double W = 1, rho = 1000, g = 1, length = 4, dt = 0.01;
 
 TestCase channel(const std::string& law, const std::string& integration, double h = 0.1) {
-    TestCase c = makeCase("meshSize " + std::to_string(h) + "; bodies ( mud { type fluid; material mud; " +
-                              rectangle(-W / 2, 0, W / 2, length) +
-                              " } ); walls ( left { points ((-0.5 6) (-0.5 -2)); } right { points ((0.5 -2) (0.5 6)); } );",
-                          "mud { rho 1000; " + law + " }", "left { type noSlip; } right { type noSlip; }", {0, -g});
+    TestCase c =
+        makeCase("meshSize " + std::to_string(h) + "; bodies ( mud { type fluid; material mud; " +
+                     rectangle(-W / 2, 0, W / 2, length) +
+                     " } ); walls ( left { points ((-0.5 6) (-0.5 -2)); } right { points ((0.5 -2) (0.5 6)); } );",
+                 "mud { rho 1000; " + law + " }", "left { type noSlip; } right { type noSlip; }", {0, -g});
     c.controls.integration.integration = integration;
     c.controls.convergence.accelerationDepth = 5;
     c.controls.convergence.maxIterations = 60;
@@ -59,14 +60,16 @@ double profileError(const TestCase& c, double plug, double mu, double halfPlug) 
     return worst / plug;
 }
 
-// On ten triangles across the nodal flow is too fast by 12 %, the elemental one by 6 %; when gravity goes it stops in time.
+// On ten triangles across the nodal flow is too fast by 12 %, the elemental one by 6 %; when gravity goes it stops in
+// time.
 TEST(ChannelFlow, binghamStartsAndStops) {
     constexpr double mu = 500, tau0 = 200, plug = rho * g * 0.3 * 0.3 / (2 * mu);  // 0.09 m/s, |y| < 0.2
     const std::string law = "type bingham; mu 500; tau0 200; m 100;";
     TestCase nodal = channel(law, "nodal"), elemental = channel(law, "elemental");
     for (TestCase* c : {&nodal, &elemental}) run(*c, 1.2);
     std::cout << "plug, exact " << plug << ": " << speed(nodal, 0.16) << ", elemental " << speed(elemental, 0.16)
-              << "; profile " << profileError(nodal, plug, mu, 0.2) << ", " << profileError(elemental, plug, mu, 0.2) << "\n";
+              << "; profile " << profileError(nodal, plug, mu, 0.2) << ", " << profileError(elemental, plug, mu, 0.2)
+              << "\n";
     EXPECT_GT(speed(nodal, 0.16), speed(elemental, 0.16));
     EXPECT_NEAR(speed(nodal, 0.16), plug, 0.15 * plug);
     EXPECT_NEAR(speed(elemental, 0.16), plug, 0.08 * plug);
@@ -74,7 +77,8 @@ TEST(ChannelFlow, binghamStartsAndStops) {
 
     elemental.problem.gravity.setZero();
     const double norm = plug * std::sqrt(0.4 + 0.6 * 8.0 / 15) * std::sqrt(W);
-    const double stop = rho * W * W / (M_PI * M_PI * mu) * std::log(1 + M_PI * M_PI * mu * norm / (2 * tau0 * std::pow(W, 1.5)));
+    const double stop =
+        rho * W * W / (M_PI * M_PI * mu) * std::log(1 + M_PI * M_PI * mu * norm / (2 * tau0 * std::pow(W, 1.5)));
     run(elemental, stop);
     EXPECT_LT(std::abs(speed(elemental, 0.16)), 0.02 * plug);
 }

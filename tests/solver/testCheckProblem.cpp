@@ -12,11 +12,15 @@ using namespace pfem::test;
 
 namespace {
 
-const std::string geometry = "meshSize 0.1; bodies ("
-                             "pool { type fluid; material water; " + rectangle(0, 0, 1, 0.5) + " }"
-                             "block { type solid; material rubber; " + rectangle(1, 0, 1.4, 0.5) +
-                             " patches { base { edges ((0 1)); } } } );"
-                             "walls ( tank { points ((0 1) (0 0) (1.5 0)); }  lid { points ((1.5 2) (0 2)); } );";
+const std::string geometry =
+    "meshSize 0.1; bodies ("
+    "pool { type fluid; material water; " +
+    rectangle(0, 0, 1, 0.5) +
+    " }"
+    "block { type solid; material rubber; " +
+    rectangle(1, 0, 1.4, 0.5) +
+    " patches { base { edges ((0 1)); } } } );"
+    "walls ( tank { points ((0 1) (0 0) (1.5 0)); }  lid { points ((1.5 2) (0 2)); } );";
 
 /// The line of the entry that is refused; 0 if none is.
 int refusedLine(const std::string& tank, const std::string& lid, const std::string& base, int step = 0) {
@@ -52,7 +56,8 @@ TEST(CheckProblem, aTotalLawNeedsTheFormulationVelocity) {
         SolidControls controls;
         controls.formulation = formulation;
         controls.stressUpdate = update;
-        const auto dict = Dictionary::parse("solid\n{\nformulation " + formulation + ";\nstressUpdate " + update + ";\n}", "pfemSolution");
+        const auto dict = Dictionary::parse(
+            "solid\n{\nformulation " + formulation + ";\nstressUpdate " + update + ";\n}", "pfemSolution");
         try {
             checkLaws<2>(c.problem, controls, dict);
         } catch (const UserError& error) {
@@ -98,11 +103,12 @@ TEST(CheckProblem, oneFluid) {
 /// What is doubted of water with this density and gravity.
 std::string doubtsOf(const std::string& rho, double gravity, const std::string& kappa) {
     const std::string text = "water { type newtonian; rho " + rho + "; mu 0; " + kappa + " }\n";
-    TestCase c = makeCase("meshSize 0.1; bodies ( pool { type fluid; material water; " + rectangle(0, 0, 1, 0.5) + " } );", text, "",
-                          {0, -gravity});
+    TestCase c =
+        makeCase("meshSize 0.1; bodies ( pool { type fluid; material water; " + rectangle(0, 0, 1, 0.5) + " } );", text,
+                 "", {0, -gravity});
     std::string all;
-    for (const auto& doubt : doubts<2>(Dictionary::parse(text, "materials"), Dictionary::parse("value (0 0 0);", "g"), Dictionary(),
-                                       c.problem, c.state))
+    for (const auto& doubt : doubts<2>(Dictionary::parse(text, "materials"), Dictionary::parse("value (0 0 0);", "g"),
+                                       Dictionary(), c.problem, c.state))
         all += doubt + "\n";
     return all;
 }
@@ -112,11 +118,13 @@ TEST(CheckProblem, doubtsKnowOtherUnitsThanMetres) {
     EXPECT_NE(doubtsOf("1000", 9810, "kappa 1e12;").find("a hundred times that of the earth"), std::string::npos);
     EXPECT_EQ(doubtsOf("1e-9", 9810, "kappa 2100;"), "");  // mm, t, s
     EXPECT_EQ(doubtsOf("1", 981, "kappa 2.1e10;"), "");    // cm, g, s
-    for (const char* rho : {"1e-9", "1"}) EXPECT_NE(doubtsOf(rho, 9.81, "").find("without an entry 'kappa'"), std::string::npos) << rho;
+    for (const char* rho : {"1e-9", "1"})
+        EXPECT_NE(doubtsOf(rho, 9.81, "").find("without an entry 'kappa'"), std::string::npos) << rho;
 }
 
 TEST(CheckProblem, gravityLiesInThePlane) {
-    const TestCase c = makeCase(geometry, water + rubber, "tank { type slip; } lid { type slip; } base { type clamped; }");
+    const TestCase c =
+        makeCase(geometry, water + rubber, "tank { type slip; } lid { type slip; } base { type clamped; }");
     const auto message = [&](const std::string& g) -> std::string {
         const CaseFolder folder(water + rubber, "tank { type slip; } lid { type slip; } base { type clamped; }", g);
         try {

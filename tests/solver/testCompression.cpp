@@ -25,7 +25,8 @@ TestCase softFluid(double kappa) {
 double pressedAway(const State<2>& state, double kappa) {
     double sum = 0;
     for (const auto& cell : state.mesh.fluid.nodes)
-        for (const int i : cell) sum += simplexMeasure<2>(state.nodes.x, cell) / 3 * std::expm1(state.nodes.p[i] / kappa);
+        for (const int i : cell)
+            sum += simplexMeasure<2>(state.nodes.x, cell) / 3 * std::expm1(state.nodes.p[i] / kappa);
     return sum;
 }
 

@@ -75,7 +75,8 @@ TEST(ViscousPressure, takesFewerIterationsToTheSameStep) {
     const auto topology = c.topology();
     const auto step = [&](double scale) {
         c.controls.continuity.viscousScale = scale;
-        return fsiStep<2>(c.problem, c.controls, c.state.mesh, topology, c.constraints(topology), c.state.nodes, 5e-3, 0);
+        return fsiStep<2>(c.problem, c.controls, c.state.mesh, topology, c.constraints(topology), c.state.nodes, 5e-3,
+                          0);
     };
     const auto with = step(1), without = step(0);
     EXPECT_LT(with.report.iterations, 0.8 * without.report.iterations);

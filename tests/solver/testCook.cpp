@@ -17,12 +17,13 @@ double middle(int n, double nu, const std::string& integration, const std::strin
               const std::string& update = "paper") {
     constexpr double load = 1e-6, dt = 1;
     const std::string cells = "(" + std::to_string(n) + " " + std::to_string(n) + ")";
-    TestCase c = makeCase("meshSize 5; bodies ( membrane { type solid; material rubber;"
-                          " vertices ((0 0) (48 44) (48 60) (0 44)); pattern oneWay; cells " + cells +
-                              "; patches { base { edges ((3 0)); } end { edges ((1 2)); } } } );",
-                          "rubber { type hypoelastic; rho 1e-9; E " + std::to_string(0.75 * (1 + nu)) + "; nu " +
-                              std::to_string(nu) + "; }",
-                          "base { type clamped; } end { type traction; traction (0 1 0); }", {0, 0});
+    TestCase c = makeCase(
+        "meshSize 5; bodies ( membrane { type solid; material rubber;"
+        " vertices ((0 0) (48 44) (48 60) (0 44)); pattern oneWay; cells " +
+            cells + "; patches { base { edges ((3 0)); } end { edges ((1 2)); } } } );",
+        "rubber { type hypoelastic; rho 1e-9; E " + std::to_string(0.75 * (1 + nu)) + "; nu " + std::to_string(nu) +
+            "; }",
+        "base { type clamped; } end { type traction; traction (0 1 0); }", {0, 0});
     for (auto& t : c.problem.conditions.traction) t = {0, load / 16};
     c.controls.integration.integration = integration;
     c.controls.solid = {formulation, update, 0};
@@ -31,9 +32,11 @@ double middle(int n, double nu, const std::string& integration, const std::strin
     c.step(dt);
     const int node = nearestNode(c.state.nodes.X, {48, 52});
     // the hyperelastic stress is that of the positions, x - X = dt v/2; the others have the strain dt grad v
-    const double u = (update == "neoHookean" ? c.state.nodes.x[node][1] - c.state.nodes.X[node][1]
-                                             : dt * c.state.nodes.v[node][1]) / load;
-    std::cout << "nu " << nu << " " << integration << " " << formulation << " " << update << " " << n << " x " << n << ": " << u << "\n";
+    const double u =
+        (update == "neoHookean" ? c.state.nodes.x[node][1] - c.state.nodes.X[node][1] : dt * c.state.nodes.v[node][1]) /
+        load;
+    std::cout << "nu " << nu << " " << integration << " " << formulation << " " << update << " " << n << " x " << n
+              << ": " << u << "\n";
     return u;
 }
 

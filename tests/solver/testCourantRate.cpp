@@ -63,9 +63,9 @@ TEST(CourantRate, ofDrops) {
     const auto drop = [&](const Vec<2>& x, const Vec<2>& v) { return courantRate<2>(withDrop(c, x, v)).largest; };
     EXPECT_NEAR(drop({0.5, 1.01}, {0, -70}), 70 / h, 1e-9);
     EXPECT_NEAR(drop({0.5, 1.3}, {0, -70}), 70 / (h + 0.2), 1e-9);
-    EXPECT_EQ(drop({0.5, 1.3}, {0, 70}), 0);      // leaves
+    EXPECT_EQ(drop({0.5, 1.3}, {0, 70}), 0);  // leaves
     EXPECT_EQ(drop({1.3, -0.4}, {0, -70}), 0);
-    EXPECT_EQ(drop({-3, 1.2}, {70, 0}), 0);       // passes over the water
+    EXPECT_EQ(drop({-3, 1.2}, {70, 0}), 0);  // passes over the water
     EXPECT_NEAR(drop({-3, 1.05}, {70, 0}), 70 / (h + 3 - std::sqrt(h * h - 0.05 * 0.05)), 1e-9);
     const int corner = c.state.nodes.size();  // it lands on walls wherever it crosses them
     for (const Vec<2>& x : {Vec<2>(-9, 1.5), Vec<2>(10, 1.5)}) {
@@ -76,14 +76,18 @@ TEST(CourantRate, ofDrops) {
     c.state.mesh.patches.push_back({"roof", {{corner + 1, corner}}});
     EXPECT_EQ(drop({0.5, 1.4}, {0, 70}), 0);
     // a parabola is straight for sqrt(h/g)
-    EXPECT_NEAR(courantRate<2>(withDrop(c, {0.5, 1.4}, {0, 70}, 9.81)).largest, 1 / (h / 70 + std::sqrt(h / 9.81)), 1e-9);
+    EXPECT_NEAR(courantRate<2>(withDrop(c, {0.5, 1.4}, {0, 70}, 9.81)).largest, 1 / (h / 70 + std::sqrt(h / 9.81)),
+                1e-9);
 }
 
 // The water moves, too: towards the drop, or with it.
 TEST(CourantRate, ofDropsOverMovingWater) {
-    EXPECT_NEAR(courantRate<2>(withDrop(waterWith(Tensor<2>::Zero(), {0, 5}), {0.5, 1.3}, {0, -70})).largest, 75 / (h + 0.2), 1e-9);
-    EXPECT_NEAR(courantRate<2>(withDrop(waterWith(Tensor<2>::Zero(), {0, -69}), {0.5, 1.3}, {0, -70})).largest, 69 / h, 1e-9);
-    EXPECT_NEAR(courantRate<2>(withDrop(waterWith(Tensor<2>::Zero(), {0, -60}), {0.5, 1.01}, {0, -70})).mean, 60 / h, 1e-9);
+    EXPECT_NEAR(courantRate<2>(withDrop(waterWith(Tensor<2>::Zero(), {0, 5}), {0.5, 1.3}, {0, -70})).largest,
+                75 / (h + 0.2), 1e-9);
+    EXPECT_NEAR(courantRate<2>(withDrop(waterWith(Tensor<2>::Zero(), {0, -69}), {0.5, 1.3}, {0, -70})).largest, 69 / h,
+                1e-9);
+    EXPECT_NEAR(courantRate<2>(withDrop(waterWith(Tensor<2>::Zero(), {0, -60}), {0.5, 1.01}, {0, -70})).mean, 60 / h,
+                1e-9);
 }
 
 TEST(CourantRate, slowDropsLimitNothing) {
@@ -97,15 +101,18 @@ TEST(CourantRate, slowDropsLimitNothing) {
     EXPECT_NEAR(courantRate<2>(state).largest, 5 / h, 1e-9);
 }
 
-// Two blocks with air between them: it closes at v/gap, and so does the triangle between their nodes. Wider than what may become a contact, or
-// opening, it does not count. Those that have just met (0.02) count as if they were contactHeight h high, 0.03, over
-// the longest side of the triangle between them, though the impact has stopped them.
+// Two blocks with air between them: it closes at v/gap, and so does the triangle between their nodes. Wider than what
+// may become a contact, or opening, it does not count. Those that have just met (0.02) count as if they were
+// contactHeight h high, 0.03, over the longest side of the triangle between them, though the impact has stopped them.
 TEST(CourantRate, ofSurfacesThatAreAboutToMeet) {
     const auto rate = [](double gap, double v) {
         const auto block = [&](double y, double speed) {
-            return " { type fluid; material water; velocity (0 " + std::to_string(speed) + "); " + rectangle(0, y, 1, y + 0.3) + " } ";
+            return " { type fluid; material water; velocity (0 " + std::to_string(speed) + "); " +
+                   rectangle(0, y, 1, y + 0.3) + " } ";
         };
-        TestCase c = makeCase("meshSize 0.1; bodies ( lower" + block(0, 0.5 * v) + "upper" + block(0.3 + gap, -0.5 * v) + ");", water, "", {0, 0});
+        TestCase c =
+            makeCase("meshSize 0.1; bodies ( lower" + block(0, 0.5 * v) + "upper" + block(0.3 + gap, -0.5 * v) + ");",
+                     water, "", {0, 0});
         c.step(1e-4);
         EXPECT_NEAR(courantRate<2>(c.state).compression, c.state.approach, 1e-9);
         return c.state.approach;

@@ -13,15 +13,17 @@ using namespace pfem::test;
 namespace {
 
 TestCase column(double rhoS, double E) {
-    return makeCase("meshSize 0.0125; bodies ("
-                    " solid { type solid; material solid; " + rectangle(0, 0, 0.05, 0.25) +
-                    " patches { base { edges ((0 1)); } sides { edges ((1 2) (3 0)); } } }"
-                    " water { type fluid; material water; " + rectangle(0, 0.25, 0.05, 1) +
-                    " patches { sides { edges ((1 2) (3 0)); } } } );",
-                    "water { type newtonian; rho 1000; mu 0; kappa 2.1e9; }"
-                    "solid { type hypoelastic; rho " + std::to_string(rhoS) + "; E " + std::to_string(E) +
-                    "; nu 0.4; }",
-                    "base { type clamped; } sides { type symmetry; }", {0, -10});
+    return makeCase(
+        "meshSize 0.0125; bodies ("
+        " solid { type solid; material solid; " +
+            rectangle(0, 0, 0.05, 0.25) +
+            " patches { base { edges ((0 1)); } sides { edges ((1 2) (3 0)); } } }"
+            " water { type fluid; material water; " +
+            rectangle(0, 0.25, 0.05, 1) + " patches { sides { edges ((1 2) (3 0)); } } } );",
+        "water { type newtonian; rho 1000; mu 0; kappa 2.1e9; }"
+        "solid { type hypoelastic; rho " +
+            std::to_string(rhoS) + "; E " + std::to_string(E) + "; nu 0.4; }",
+        "base { type clamped; } sides { type symmetry; }", {0, -10});
 }
 
 /// With the factors of the matrix that belong to it.

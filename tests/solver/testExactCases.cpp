@@ -86,10 +86,10 @@ class FreeFall : public testing::TestWithParam<std::tuple<double, const char*>> 
 TEST_P(FreeFall, blockFollowsTheParabola) {
     const auto [speed, stabilisation] = GetParam();
     const Vec<2> v0(0.7 * speed, 2 * speed);
-    TestCase c = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; velocity (" +
-                              std::to_string(v0[0]) + " " + std::to_string(v0[1]) + "); " + rectangle(0, 0, 1, 0.5) +
-                              " } );",
-                          water, "");
+    TestCase c =
+        makeCase("meshSize 0.1; bodies ( water { type fluid; material water; velocity (" + std::to_string(v0[0]) + " " +
+                     std::to_string(v0[1]) + "); " + rectangle(0, 0, 1, 0.5) + " } );",
+                 water, "");
     c.tolerance(1e-12);
     c.controls.continuity.stabilisation = stabilisation;
     const Nodes<2> first = c.state.nodes;
@@ -117,7 +117,8 @@ TEST_P(FreeFall, blockFollowsTheParabola) {
     EXPECT_NEAR(totalVolume<2>(c.state), 0.5, 1e-11);
 }
 
-INSTANTIATE_TEST_SUITE_P(, FreeFall, testing::Combine(testing::Values(0.0, 1.0), testing::Values("inertia", "bodyForce")),
+INSTANTIATE_TEST_SUITE_P(, FreeFall,
+                         testing::Combine(testing::Values(0.0, 1.0), testing::Values("inertia", "bodyForce")),
                          [](const auto& test) {
                              return std::string(std::get<0>(test.param) == 0 ? "fromRest_" : "thrown_") +
                                     std::get<1>(test.param);
@@ -125,8 +126,8 @@ INSTANTIATE_TEST_SUITE_P(, FreeFall, testing::Combine(testing::Values(0.0, 1.0),
 
 // Isolated particles are in ballistic flight.
 TEST(Particle, followsTheParabola) {
-    TestCase c = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.5) +
-                              " } );", water, "");
+    TestCase c = makeCase(
+        "meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.5) + " } );", water, "");
     c.state.nodes.append(c.state.nodes, 0);
     c.state.nodes.id.back() = c.state.nextId++;
     c.state.nodes.x.back() = c.state.nodes.X.back() = Vec<2>(3, 3);
@@ -138,10 +139,10 @@ TEST(Particle, followsTheParabola) {
 // Couette flow between a fluid at rest and a moving body is not driven by anything: a uniform velocity along slip
 // walls goes on for ever (no friction on slip walls, no damping of the rule for their velocities).
 TEST(SlipWall, uniformFlowBetweenTwoWallsGoesOn) {
-    TestCase c = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; velocity (1 0); " +
-                              rectangle(0, 0, 1, 0.5) +
-                              " } ); walls ( floor { points ((-0.5 0) (3 0)); } roof { points ((3 0.5) (-0.5 0.5)); } );",
-                          water, "floor { type slip; } roof { type slip; }", {0, 0});
+    TestCase c = makeCase(
+        "meshSize 0.1; bodies ( water { type fluid; material water; velocity (1 0); " + rectangle(0, 0, 1, 0.5) +
+            " } ); walls ( floor { points ((-0.5 0) (3 0)); } roof { points ((3 0.5) (-0.5 0.5)); } );",
+        water, "floor { type slip; } roof { type slip; }", {0, 0});
     c.tolerance(1e-9);
     for (int n = 0; n < 20; ++n) c.step(2e-3);
     const auto topology = c.topology();
@@ -200,10 +201,10 @@ TEST(VolumeCorrection, noFasterThanWithinAStep) {
 // Water that a dictionary lets run into a wall is deflected by an impulse, which takes energy and never gives any.
 TEST(ImpulsiveStart, energyDoesNotGrow) {
     for (const char* speed : {"1", "-1"}) {
-        TestCase c = makeCase("meshSize 0.05; bodies ( water { type fluid; material water; velocity (" +
-                                  std::string(speed) + " 0); " + rectangle(0, 0, 0.3, 0.5) +
-                                  " } ); walls ( tank { points ((0 2) (0 0) (2 0)); } );",
-                              water, "tank { type slip; }", {0, 0});
+        TestCase c =
+            makeCase("meshSize 0.05; bodies ( water { type fluid; material water; velocity (" + std::string(speed) +
+                         " 0); " + rectangle(0, 0, 0.3, 0.5) + " } ); walls ( tank { points ((0 2) (0 0) (2 0)); } );",
+                     water, "tank { type slip; }", {0, 0});
         const auto energy = [&] {
             const auto topology = c.topology();
             const auto patches = makePatches<2>(c.state.mesh.fluid.nodes, topology.fluid, c.state.nodes.x);

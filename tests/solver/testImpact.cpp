@@ -34,7 +34,9 @@ Motion motionOf(const TestCase& c) {
     return m;
 }
 
-double divergence(const TestCase& c, const Simplex<2>& s) { return simplexDivergence<2>(c.state.nodes.x, c.state.nodes.v, s); }
+double divergence(const TestCase& c, const Simplex<2>& s) {
+    return simplexDivergence<2>(c.state.nodes.x, c.state.nodes.v, s);
+}
 
 /// Velocities that close each cell at 3/s and turn it.
 void closeCells(TestCase& c) {
@@ -45,7 +47,8 @@ void closeCells(TestCase& c) {
 
 /// Water with an irregular mesh and a surface of its own.
 TestCase water01() {
-    TestCase c = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.5) + " } );", water, "");
+    TestCase c = makeCase(
+        "meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.5) + " } );", water, "");
     std::mt19937 random(7);
     std::uniform_real_distribution<double> shift(-0.015, 0.015);
     for (auto& x : c.state.nodes.x) x += Vec<2>(shift(random), shift(random));
@@ -149,7 +152,9 @@ TEST(Impact, wallsHold) {
             if (std::none_of(s.begin(), s.end(), isCorner) || !contacts.empty()) continue;
             contacts.push_back(s);
             for (int i : s) {
-                nodes.v[i] = kind == "slip" ? constraints.project(i, -nodes.x[i]) : nodes.wall[i] >= 0 ? Vec<2>(0, 0) : Vec<2>(-nodes.x[i]);
+                nodes.v[i] = kind == "slip"       ? constraints.project(i, -nodes.x[i])
+                             : nodes.wall[i] >= 0 ? Vec<2>(0, 0)
+                                                  : Vec<2>(-nodes.x[i]);
                 slides += nodes.wall[i] >= 0;
             }
         }

@@ -23,9 +23,7 @@ struct Rigid {
 
 class RandomCells {
 public:
-    double number(double low, double high) {
-        return std::uniform_real_distribution<double>(low, high)(random_);
-    }
+    double number(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
     Vec<2> direction() {
         const double angle = number(0, 2 * M_PI);
         return {std::cos(angle), std::sin(angle)};
@@ -55,9 +53,7 @@ public:
         return cell;
     }
 
-    static Tensor<2> heldPart(const MeetingCell<2>& cell, int k) {
-        return Tensor<2>::Identity() - cell.freedom[k];
-    }
+    static Tensor<2> heldPart(const MeetingCell<2>& cell, int k) { return Tensor<2>::Identity() - cell.freedom[k]; }
 
 private:
     std::mt19937 random_{7};
@@ -66,8 +62,7 @@ private:
 
 double energyOf(const MeetingCell<2>& cell, const Rigid& frame) {
     double energy = 0;
-    for (int k = 0; k < 3; ++k)
-        energy += 0.5 * cell.mass[k] * (cell.v[k] - frame.at(cell.x[k])).squaredNorm();
+    for (int k = 0; k < 3; ++k) energy += 0.5 * cell.mass[k] * (cell.v[k] - frame.at(cell.x[k])).squaredNorm();
     return energy;
 }
 
@@ -116,8 +111,7 @@ TEST(Inelastic, RandomContacts) {
             mobility += before.gradN[k].dot(before.freedom[k] * before.gradN[k]) / before.mass[k];
         MeetingCell<2> alone = before;
         for (int k = 0; k < 3; ++k)
-            alone.v[k] -=
-                before.divergence() / mobility * before.freedom[k] * before.gradN[k] / before.mass[k];
+            alone.v[k] -= before.divergence() / mobility * before.freedom[k] * before.gradN[k] / before.mass[k];
         thrown += fastestOf(alone, {}) > 10 * fastestOf(before, {});
     }
     EXPECT_GT(struck, 5000);
@@ -163,10 +157,8 @@ TEST(Inelastic, ALightNodeIsNotThrown) {
     EXPECT_TRUE(stopClosing<2>(cell));
     EXPECT_NEAR(cell.divergence(), 0, 1e-9);
     EXPECT_LE(fastestOf(cell, {}), 1 + 1e-12);
-    EXPECT_NEAR(
-        (cell.mass[0] * cell.v[0] + cell.mass[1] * cell.v[1] + cell.mass[2] * cell.v[2] - Vec<2>(0, -1))
-            .norm(),
-        0, 1e-12);
+    EXPECT_NEAR((cell.mass[0] * cell.v[0] + cell.mass[1] * cell.v[1] + cell.mass[2] * cell.v[2] - Vec<2>(0, -1)).norm(),
+                0, 1e-12);
 }
 
 TEST(Inelastic, HoldsThatMoveToEachOtherAreLeft) {
@@ -189,10 +181,10 @@ TEST(Inelastic, RandomContactsThatShareNodes) {
         return std::uniform_real_distribution<double>(low, high)(random);
     };
     for (const std::string kind : {"slip", "noSlip"}) {
-        const TestCase whole = makeCase("meshSize 0.125; bodies ( water { type fluid; material water; " +
-                                            rectangle(0, 0, 1, 0.5) +
-                                            " } ); walls ( tank { points ((0 1) (0 0) (1 0) (1 1)); } );",
-                                        water, "tank { type " + kind + "; }");
+        const TestCase whole =
+            makeCase("meshSize 0.125; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.5) +
+                         " } ); walls ( tank { points ((0 1) (0 0) (1 0) (1 1)); } );",
+                     water, "tank { type " + kind + "; }");
         int struck = 0;
         for (int n = 0; n < 500; ++n) {
             TestCase c = whole;
@@ -203,8 +195,7 @@ TEST(Inelastic, RandomContactsThatShareNodes) {
             const auto topology = c.topology();
             for (int i = 0; i < nodes.size(); ++i)  // along walls the nodes come near to each other
                 if (!topology.corner[i])
-                    nodes.x[i] +=
-                        c.constraints(topology).project(i, Vec<2>(number(-0.04, 0.04), number(-0.04, 0.04)));
+                    nodes.x[i] += c.constraints(topology).project(i, Vec<2>(number(-0.04, 0.04), number(-0.04, 0.04)));
             std::vector<Simplex<2>> contacts;
             for (const auto& s : c.state.mesh.fluid.nodes)
                 if (number(0, 1) < 0.3 && simplexMeasure<2>(nodes.x, s) > 1e-6) contacts.push_back(s);
@@ -216,8 +207,7 @@ TEST(Inelastic, RandomContactsThatShareNodes) {
             for (int i = 0; i < nodes.size(); ++i) {
                 nodes.v[i] = {number(-2, 2), number(-2, 2)};
                 // what has just been covered still has the velocity with which it crept
-                if (now.onWall[i])
-                    nodes.v[i] -= constraints.normal[i] * constraints.normal[i].dot(nodes.v[i]);
+                if (now.onWall[i]) nodes.v[i] -= constraints.normal[i] * constraints.normal[i].dot(nodes.v[i]);
                 if (now.corner[i]) nodes.v[i].setZero();
             }
             const auto mass = fluidMass<2>(c.problem, c.state.mesh.fluid, nodes.x);

@@ -14,13 +14,12 @@ constexpr double g = 9.81, nu = 0.4;
 
 /// Water, 0.5 m deep, on a weightless elastic floor between frictionless sides.
 TestCase column(const char* integration, const char* formulation) {
-    TestCase c =
-        makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.5) +
-                     " patches { sides { edges ((1 2) (3 0)); } } } floor { type solid; material stiff; " +
-                     rectangle(0, -0.3, 1, 0) +
-                     " patches { base { edges ((0 1)); } sides { edges ((1 2) (3 0)); } } } );",
-                 water + "stiff { type hypoelastic; rho 1e-3; E 1e7; nu 0.4; }",
-                 "base { type clamped; } sides { type symmetry; }");
+    TestCase c = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.5) +
+                              " patches { sides { edges ((1 2) (3 0)); } } } floor { type solid; material stiff; " +
+                              rectangle(0, -0.3, 1, 0) +
+                              " patches { base { edges ((0 1)); } sides { edges ((1 2) (3 0)); } } } );",
+                          water + "stiff { type hypoelastic; rho 1e-3; E 1e7; nu 0.4; }",
+                          "base { type clamped; } sides { type symmetry; }");
     c.controls.integration.integration = integration;
     c.controls.solid.formulation = formulation;
     c.controls.timeIntegration.gamma = 1;  // the floor settles under its load
@@ -53,8 +52,7 @@ TEST_P(InterfacePressure, isTwofold) {
 
 INSTANTIATE_TEST_SUITE_P(, InterfacePressure,
                          testing::Values(std::tuple("elemental", "velocityPressure"),
-                                         std::tuple("elemental", "velocity"),
-                                         std::tuple("nodal", "velocity")),
+                                         std::tuple("elemental", "velocity"), std::tuple("nodal", "velocity")),
                          [](const auto& test) {
                              return std::string(std::get<0>(test.param)) + "_" + std::get<1>(test.param);
                          });

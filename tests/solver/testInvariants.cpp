@@ -27,8 +27,8 @@ protected:
     /// What is said about `next_`; "" when it passes.
     std::string complaint() const {
         try {
-            checkInvariants<2>(c_.controls.convergence, makeTopology<2>(last_.mesh, c_.kinds(), last_.nodes.wall), last_,
-                               next_);
+            checkInvariants<2>(c_.controls.convergence, makeTopology<2>(last_.mesh, c_.kinds(), last_.nodes.wall),
+                               last_, next_);
         } catch (const StepFailure& failure) {
             return failure.what();
         }
@@ -42,9 +42,7 @@ protected:
     State<2> last_, next_;
 };
 
-TEST_F(Invariants, AGoodStepPasses) {
-    EXPECT_EQ(complaint(), "");
-}
+TEST_F(Invariants, AGoodStepPasses) { EXPECT_EQ(complaint(), ""); }
 
 TEST_F(Invariants, NotFinite) {
     next_.nodes.v[fluidNode()][1] = nan;
@@ -111,7 +109,8 @@ TEST_F(Invariants, Speed) {
     EXPECT_THROW(checkSpeed<2>(c_.controls.convergence, next_.nodes), StepFailure);
 }
 
-// Contacts, landing and remeshing make nobody faster than the fastest before, but for what moving walls and solids push.
+// Contacts, landing and remeshing make nobody faster than the fastest before, but for what moving walls and solids
+// push.
 TEST_F(Invariants, SpeedGain) {
     auto& nodes = next_.nodes;
     const auto topology = makeTopology<2>(next_.mesh, c_.kinds(), nodes.wall);

@@ -57,15 +57,20 @@ TEST_P(AcceleratedTank, pressureIsExact) {
     c.start(5e-3);
     EXPECT_LT(pressureError(c, a, 0.5), 1e-6) << "at the start";
     for (int n = 0; n < 40; ++n) ASSERT_EQ(c.step(5e-3).rejected, 0);
-    std::cout << "pressure error " << pressureError(c, a, 0.5) << " rho g H, velocity " << velocityError(c, 0.2 * a) << " m/s\n";
+    std::cout << "pressure error " << pressureError(c, a, 0.5) << " rho g H, velocity " << velocityError(c, 0.2 * a)
+              << " m/s\n";
     EXPECT_LT(pressureError(c, a, 0.5), 1e-6);
     EXPECT_LT(velocityError(c, 0.2 * a), 1e-8);
     EXPECT_NEAR(totalVolume<2>(c.state), 0.5, 1e-9);
     EXPECT_NEAR(c.state.nodes.x[nearestNode(c.state.nodes.X, {0, 0})][0], 0.06, 1e-12);
 }
 
-INSTANTIATE_TEST_SUITE_P(, AcceleratedTank, testing::Combine(testing::Values("slip", "noSlip"), testing::Values("projection", "inertia", "bodyForce")),
-                         [](const auto& test) { return std::string(std::get<0>(test.param)) + "_" + std::get<1>(test.param); });
+INSTANTIATE_TEST_SUITE_P(, AcceleratedTank,
+                         testing::Combine(testing::Values("slip", "noSlip"),
+                                          testing::Values("projection", "inertia", "bodyForce")),
+                         [](const auto& test) {
+                             return std::string(std::get<0>(test.param)) + "_" + std::get<1>(test.param);
+                         });
 
 // Shaken sinusoidally: exact up to the time step; an error that falls with it.
 TEST(ShakenTank, pressureConverges) {
@@ -78,7 +83,8 @@ TEST(ShakenTank, pressureConverges) {
         const double omega = 4 * pi;
         for (int n = 1; n * dt < 0.501; ++n) {
             c.step(dt);
-            const double phase = omega * n * dt, middle = omega * (n - 0.5) * dt;  // p is that of the middle of the step
+            const double phase = omega * n * dt,
+                         middle = omega * (n - 0.5) * dt;  // p is that of the middle of the step
             error = std::max(error, pressureError(c, omega * omega * std::cos(middle) * Vec<2>(0.05, 0.01), 0.5));
             EXPECT_LT(velocityError(c, omega * std::sin(phase) * Vec<2>(0.05, 0.01)), 0.01);
         }
@@ -91,9 +97,10 @@ TEST(ShakenTank, pressureConverges) {
 
 // An open tank under steady acceleration a: the surface stands at the slope -a/g and stays there.
 TEST(OpenTank, inclinedSurfaceStays) {
-    TestCase c = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; vertices ((0 0) (1 0) (1 0.4) (0 0.6)); } );"
-                          " walls ( tank { points ((0 1) (0 0) (1 0) (1 1)); } );",
-                          water, "tank { type slip; motion { displacement polynomial (((0.981 0 0) (2 0 0))); } }");
+    TestCase c = makeCase(
+        "meshSize 0.1; bodies ( water { type fluid; material water; vertices ((0 0) (1 0) (1 0.4) (0 0.6)); } );"
+        " walls ( tank { points ((0 1) (0 0) (1 0) (1 1)); } );",
+        water, "tank { type slip; motion { displacement polynomial (((0.981 0 0) (2 0 0))); } }");
     c.tolerance(1e-11);
     const Vec<2> a(0.2 * g, 0);
     c.start(5e-3);
@@ -110,9 +117,10 @@ TEST(OpenTank, inclinedSurfaceStays) {
 
 // A tank that glides carries its water as if at rest; started with walls and water at the same speed.
 TEST(GlidingTank, isAtRestInItsFrame) {
-    TestCase c = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; velocity (2 0); " + rectangle(0, 0, 1, 0.5) +
-                              " } ); walls ( left { points ((0 1) (0 0)); } rest { points ((0 0) (1 0) (1 1)); } );",
-                          water, "left { type slip; motion { velocity (2 0 0); } } rest { type slip; motion { velocity (2 0 0); } }");
+    TestCase c = makeCase(
+        "meshSize 0.1; bodies ( water { type fluid; material water; velocity (2 0); " + rectangle(0, 0, 1, 0.5) +
+            " } ); walls ( left { points ((0 1) (0 0)); } rest { points ((0 0) (1 0) (1 1)); } );",
+        water, "left { type slip; motion { velocity (2 0 0); } } rest { type slip; motion { velocity (2 0 0); } }");
     c.tolerance(1e-11);
     c.start(5e-3);
     for (int n = 0; n < 40; ++n) ASSERT_EQ(c.step(5e-3).rejected, 0);
@@ -123,7 +131,8 @@ TEST(GlidingTank, isAtRestInItsFrame) {
 
 TestCase pistonTank(const std::string& motion) {
     return makeCase("meshSize 0.05; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.3) +
-                        " } ); walls ( piston { moving true; points ((0 0.6) (0 0)); } tank { points ((-0.3 0) (1 0) (1 0.6)); } );",
+                        " } ); walls ( piston { moving true; points ((0 0.6) (0 0)); } tank { points ((-0.3 0) (1 0) "
+                        "(1 0.6)); } );",
                     "water { type newtonian; rho 1000; mu 0; kappa 2.1e9; }",
                     "tank { type slip; } piston { type slip; motion { " + motion + " } }");
 }
@@ -159,10 +168,12 @@ TEST(Piston, levelFollowsLinearTheory) {
         scale += theory * theory;
         change = std::max(change, std::abs(totalVolume<2>(c.state) / volume - 1));
     }
-    std::cout << "rms difference " << std::sqrt(squares / scale) << " of the level's, volume changes by " << change << "\n";
+    std::cout << "rms difference " << std::sqrt(squares / scale) << " of the level's, volume changes by " << change
+              << "\n";
     EXPECT_LT(std::sqrt(squares / scale), 0.05);
     EXPECT_LT(change, 1e-4);
-    EXPECT_NEAR(c.state.nodes.x[nodeOf(c.state.nodes, c.state.nodes.id[nearestNode(c.state.nodes.X, {0, 0.6})])][0], 0.01, 1e-9);
+    EXPECT_NEAR(c.state.nodes.x[nodeOf(c.state.nodes, c.state.nodes.id[nearestNode(c.state.nodes.X, {0, 0.6})])][0],
+                0.01, 1e-9);
 }
 
 // A piston that pushes a third of the water together and comes back: the corner at its foot takes and gives nodes.
@@ -191,7 +202,8 @@ TEST(Piston, longStrokeKeepsTheWater) {
 
 TestCase gateTank(const std::string& motion) {
     return makeCase("meshSize 0.05; bodies ( water { type fluid; material water; " + rectangle(0, 0, 0.5, 0.5) +
-                        " } ); walls ( gate { moving true; points ((0.5 0) (0.5 1)); } tank { points ((0 1) (0 0) (2 0) (2 1)); } );",
+                        " } ); walls ( gate { moving true; points ((0.5 0) (0.5 1)); } tank { points ((0 1) (0 0) (2 "
+                        "0) (2 1)); } );",
                     water, "tank { type slip; } gate { type slip; motion { " + motion + " } }");
 }
 
@@ -212,8 +224,10 @@ TEST(Gate, liftsFromTheFloor) {
     EXPECT_LT(pressureError(resting, {0, 0}, 0.5), 1e-6);
     EXPECT_NEAR(front(resting), 0.5, 1e-9);
 
-    TestCase sudden = makeCase("meshSize 0.05; bodies ( water { type fluid; material water; " + rectangle(0, 0, 0.5, 0.5) +
-                          " } ); walls ( tank { points ((0 1) (0 0) (2 0) (2 1)); } );", water, "tank { type slip; }");
+    TestCase sudden =
+        makeCase("meshSize 0.05; bodies ( water { type fluid; material water; " + rectangle(0, 0, 0.5, 0.5) +
+                     " } ); walls ( tank { points ((0 1) (0 0) (2 0) (2 1)); } );",
+                 water, "tank { type slip; }");
     sudden.start(2e-3);
     for (int n = 0; n < 60; ++n) sudden.step(4e-3);
     std::vector<double> fronts;
@@ -223,7 +237,8 @@ TEST(Gate, liftsFromTheFloor) {
         c.start(2e-3);
         for (int n = 0; n < 60; ++n) c.step(4e-3);
         fronts.push_back(front(c));
-        std::cout << speed << " m/s: front at " << fronts.back() << " m, volume changes by " << totalVolume<2>(c.state) / volume - 1 << "\n";
+        std::cout << speed << " m/s: front at " << fronts.back() << " m, volume changes by "
+                  << totalVolume<2>(c.state) / volume - 1 << "\n";
         EXPECT_NEAR(totalVolume<2>(c.state), volume, 0.02 * volume);
         const int foot = nearestNode(c.state.nodes.X, {0.5, 0});
         EXPECT_NEAR(c.state.nodes.x[foot][1], c.state.time.value * std::stod(speed), 1e-6);
@@ -251,8 +266,8 @@ TEST(MovingWalls, restartIsBitwise) {
 
 // A solid whose clamped edge glides goes along without stress; one that is lifted with acceleration hangs on it.
 TEST(MovingClamp, carriesTheSolid) {
-    TestCase c = makeCase("meshSize 0.1; bodies ( block { type solid; material rubber; velocity (1 2); " + rectangle(0, 0, 0.5, 0.5) +
-                              " patches { base { edges ((0 1)); } } } );",
+    TestCase c = makeCase("meshSize 0.1; bodies ( block { type solid; material rubber; velocity (1 2); " +
+                              rectangle(0, 0, 0.5, 0.5) + " patches { base { edges ((0 1)); } } } );",
                           rubber, "base { type clamped; motion { velocity (1 2 0); } }", {0, 0});
     c.tolerance(1e-10);
     c.start(1e-2);
@@ -265,7 +280,8 @@ TEST(MovingClamp, carriesTheSolid) {
 
 // A motion: a turn about a point that moves itself.
 TEST(WallMotion, turnsAndTranslates) {
-    const WallMotion motion(Dictionary::parse("displacement polynomial (((2 0 0) (1 0 0))); omega 0.5; origin (1 0 0);"));
+    const WallMotion motion(
+        Dictionary::parse("displacement polynomial (((2 0 0) (1 0 0))); omega 0.5; origin (1 0 0);"));
     const auto step = motion.step<2>(1, 3);  // the centre from (3 0) to (7 0), turned by 1
     const Vec<2> after = step.carried({3, 2});
     EXPECT_NEAR(after[0], 7 - 2 * std::sin(1.0), 1e-12);
@@ -278,8 +294,9 @@ TEST(WallMotion, turnsAndTranslates) {
 TEST(WallMotion, mistakes) {
     const auto message = [](const std::string& conditions, const std::string& moving = "") -> std::string {
         try {
-            const TestCase c = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.5) +
-                                            " } ); walls ( left { " + moving + " points ((0 1) (0 0)); } rest { points ((0 0) (1 0) (1 1)); } );",
+            const TestCase c = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " +
+                                            rectangle(0, 0, 1, 0.5) + " } ); walls ( left { " + moving +
+                                            " points ((0 1) (0 0)); } rest { points ((0 0) (1 0) (1 1)); } );",
                                         water, conditions);
             checkConditions<2>(Dictionary::parse(conditions, "boundaryConditions"), c.problem.conditions, c.state);
         } catch (const UserError& error) {
@@ -287,14 +304,20 @@ TEST(WallMotion, mistakes) {
         }
         return "";
     };
-    const auto left = [&](const std::string& motion) { return message("left { type slip; motion { " + motion + " } } rest { type slip; }"); };
+    const auto left = [&](const std::string& motion) {
+        return message("left { type slip; motion { " + motion + " } } rest { type slip; }");
+    };
     EXPECT_NE(left("velocity (1 0 0);").find("moving true"), std::string::npos);
     EXPECT_EQ(message("left { type slip; motion { velocity (1 0 0); } } rest { type slip; }", "moving true;"), "");
-    EXPECT_EQ(message("left { type slip; motion { velocity (1 0 0); } } rest { type slip; motion { velocity (1 0 0); } }"), "");
+    EXPECT_EQ(
+        message("left { type slip; motion { velocity (1 0 0); } } rest { type slip; motion { velocity (1 0 0); } }"),
+        "");
     EXPECT_NE(left("velocity (1 0 0); displacement (1 0 0);").find("not both"), std::string::npos);
     EXPECT_NE(left("omega 1;").find("origin"), std::string::npos);
     EXPECT_NE(left("").find("one of"), std::string::npos);
-    EXPECT_NE(message("left { type symmetry; motion { velocity (1 0 0); } } rest { type slip; }").find("cannot be moved"), std::string::npos);
+    EXPECT_NE(
+        message("left { type symmetry; motion { velocity (1 0 0); } } rest { type slip; }").find("cannot be moved"),
+        std::string::npos);
 }
 
 }  // namespace

@@ -10,7 +10,8 @@ using namespace pfem::test;
 
 namespace {
 
-// Stiff up to the stress 1, ten times softer above: from the soft side Newton's step lands on the soft side opposite, and back.
+// Stiff up to the stress 1, ten times softer above: from the soft side Newton's step lands on the soft side opposite,
+// and back.
 double stress(double x) { return std::abs(x) < 1 ? x : std::copysign(0.9 + 0.1 * std::abs(x), x); }
 double slope(double x) { return std::abs(x) < 1 ? 1 : 0.1; }
 
@@ -63,13 +64,15 @@ TEST(Drop, sticksToANoSlipWall) {
 
 // 20 triangles high, m = 100 s: a plug of 5000 Pa s beside mud of 10 Pa s.
 TEST(MudColumn, hardlyAnyStepIsRejected) {
-    TestCase c = makeCase("meshSize 0.015; bodies ( mud { type fluid; material mud; " + rectangle(0, 0, 0.2, 0.3) +
-                              " } ); walls ( back { points ((0 0.5) (0 0)); } bed { points ((0 0) (2 0)); } );",
-                          "mud { type bingham; rho 1000; mu 10; tau0 50; m 100; }", "back { type slip; } bed { type noSlip; }");
+    TestCase c =
+        makeCase("meshSize 0.015; bodies ( mud { type fluid; material mud; " + rectangle(0, 0, 0.2, 0.3) +
+                     " } ); walls ( back { points ((0 0.5) (0 0)); } bed { points ((0 0) (2 0)); } );",
+                 "mud { type bingham; rho 1000; mu 10; tau0 50; m 100; }", "back { type slip; } bed { type noSlip; }");
     c.controls.integration.integration = "elemental";
     c.start(1e-3);
     int steps = 0, rejected = 0;
-    for (; c.state.time.value < 0.3; ++steps) rejected += c.step(std::min(5e-3, 0.3 / courantRate<2>(c.state).largest)).rejected;
+    for (; c.state.time.value < 0.3; ++steps)
+        rejected += c.step(std::min(5e-3, 0.3 / courantRate<2>(c.state).largest)).rejected;
     std::cout << steps << " steps, " << rejected << " rejected\n";
     EXPECT_LT(steps, 130);
     EXPECT_LE(rejected, 8);

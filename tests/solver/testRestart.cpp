@@ -40,8 +40,9 @@ TEST_P(Restart, isBitwiseTheRunItself) {
     EXPECT_EQ(c.state.mesh.solid.sigma.empty(), std::string(integration) == "nodal");
 }
 
-INSTANTIATE_TEST_SUITE_P(, Restart, testing::Values(std::tuple("nodal", "velocity"), std::tuple("elemental", "velocity"),
-                                                  std::tuple("elemental", "velocityPressure")),
+INSTANTIATE_TEST_SUITE_P(, Restart,
+                         testing::Values(std::tuple("nodal", "velocity"), std::tuple("elemental", "velocity"),
+                                         std::tuple("elemental", "velocityPressure")),
                          [](const auto& test) {
                              return std::string(std::get<0>(test.param)) + "_" + std::get<1>(test.param);
                          });

@@ -73,7 +73,8 @@ Result run(double h, double dt, double endTime, double correctionTime, const cha
               << " %), largest drift " << 100 * r.drift << " %, without correction's part " << 100 * r.rawDrift
               << " %, amplitude " << r.amplitude << ", in the last period " << r.late << ", iterations "
               << static_cast<double>(r.iterations) / steps << ", rejected " << r.rejected << "\n";
-    for (const auto& [cause, amount] : c.state.ledger) std::cout << "  " << cause << " " << 100 * amount / volume << " %\n";
+    for (const auto& [cause, amount] : c.state.ledger)
+        std::cout << "  " << cause << " " << 100 * amount / volume << " %\n";
     return r;
 }
 

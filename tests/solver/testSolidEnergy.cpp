@@ -53,9 +53,9 @@ Balance balance(const std::string& cells, const std::string& pattern, double dt,
         b.early += energy[tenth + k] / tenth;
         b.late += energy[energy.size() - 1 - k] / tenth;
     }
-    std::cout << integration << " " << update << " " << formulation << " damping " << damping << " " << pattern << " " << cells << ", "
-              << endTime << " s: energy error min " << b.smallest << " max " << b.largest << " early " << b.early
-              << " late " << b.late << " of the peak strain energy " << highest << "\n";
+    std::cout << integration << " " << update << " " << formulation << " damping " << damping << " " << pattern << " "
+              << cells << ", " << endTime << " s: energy error min " << b.smallest << " max " << b.largest << " early "
+              << b.early << " late " << b.late << " of the peak strain energy " << highest << "\n";
     return b;
 }
 

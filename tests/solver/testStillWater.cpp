@@ -19,8 +19,8 @@ TestCase tank(const std::string& shape, const std::string& wall, double h, doubl
     const bool slanted = shape == "trapezoid";
     const std::string outline = slanted ? "vertices ((0 0) (0.8 0) (1 0.5) (-0.2 0.5));" : rectangle(0, 0, 1, 0.5);
     const std::string walls = slanted ? "(-0.32 0.8) (0 0) (0.8 0) (1.12 0.8)" : "(0 0.8) (0 0) (1 0) (1 0.8)";
-    TestCase c = makeCase("meshSize " + std::to_string(h) + "; bodies ( water { type fluid; material water; " + outline +
-                              " } ); walls ( tank { points (" + walls + "); } );",
+    TestCase c = makeCase("meshSize " + std::to_string(h) + "; bodies ( water { type fluid; material water; " +
+                              outline + " } ); walls ( tank { points (" + walls + "); } );",
                           "water { type newtonian; rho 1000; mu " + std::to_string(mu) + "; kappa 2.1e9; }\n",
                           "tank { type " + wall + "; }");
     const auto topology = c.topology();
@@ -32,17 +32,19 @@ TestCase tank(const std::string& shape, const std::string& wall, double h, doubl
     return c;
 }
 
-/// Water over and beside a soft elastic wall that it has pressed together, at rest. (At a contact line on a solid, where water sticks, a
-/// surface that has sunk drains for long.)
+/// Water over and beside a soft elastic wall that it has pressed together, at rest. (At a contact line on a solid,
+/// where water sticks, a surface that has sunk drains for long.)
 TestCase overElasticWall(double h) {
-    TestCase c = makeCase("meshSize " + std::to_string(h) +
-                              "; bodies ( water { type fluid; material water; vertices ((0 0) (0.4 0) (0.4 0.2) (0.6 0.2) (0.6 0) (1 0)"
-                              " (1 0.5) (0 0.5)); } wall { type solid; material rubber; " + rectangle(0.4, 0, 0.6, 0.2) +
-                              " patches { base { edges ((0 1)); } } } );"
-                              " walls ( tank { points ((0 0.8) (0 0) (1 0) (1 0.8)); } );",
-                          "water { type newtonian; rho 1000; mu 0; kappa 2.1e9; }\n"
-                          "rubber { type hypoelastic; rho 1500; E 2e5; nu 0.3; }\n",
-                          "tank { type slip; } base { type clamped; }");
+    TestCase c = makeCase(
+        "meshSize " + std::to_string(h) +
+            "; bodies ( water { type fluid; material water; vertices ((0 0) (0.4 0) (0.4 0.2) (0.6 0.2) (0.6 0) (1 0)"
+            " (1 0.5) (0 0.5)); } wall { type solid; material rubber; " +
+            rectangle(0.4, 0, 0.6, 0.2) +
+            " patches { base { edges ((0 1)); } } } );"
+            " walls ( tank { points ((0 0.8) (0 0) (1 0) (1 0.8)); } );",
+        "water { type newtonian; rho 1000; mu 0; kappa 2.1e9; }\n"
+        "rubber { type hypoelastic; rho 1500; E 2e5; nu 0.3; }\n",
+        "tank { type slip; } base { type clamped; }");
     c.controls.continuity.factorPrecision = "double";
     c.start(1e-3);
     // syrup and backward Euler bring it to rest: long steps the water, short ones the wall
@@ -89,11 +91,15 @@ TEST_P(Amplification, noWaveGrows) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, Amplification,
-                         testing::Values(std::tuple("rectangle", "slip"), std::tuple("rectangle", "noSlip"), std::tuple("trapezoid", "slip"),
-                                         std::tuple("trapezoid", "noSlip"), std::tuple("elasticWall", "slip")),
-                         [](const auto& test) { return std::string(std::get<0>(test.param)) + "_" + std::get<1>(test.param); });
+                         testing::Values(std::tuple("rectangle", "slip"), std::tuple("rectangle", "noSlip"),
+                                         std::tuple("trapezoid", "slip"), std::tuple("trapezoid", "noSlip"),
+                                         std::tuple("elasticWall", "slip")),
+                         [](const auto& test) {
+                             return std::string(std::get<0>(test.param)) + "_" + std::get<1>(test.param);
+                         });
 
-// The test can fail: with the full residual in the volume term short waves grow, as one plane wave tells (doc/theory.md, section 3).
+// The test can fail: with the full residual in the volume term short waves grow, as one plane wave tells
+// (doc/theory.md, section 3).
 TEST(AmplificationOfTheFullResidual, isSeen) {
     TestCase c = tank("rectangle", "slip", 0.2);
     c.controls.continuity.stabilisation = "inertia";
@@ -111,8 +117,10 @@ TEST(StillWater, staysStill) {
         for (const double part : {0.1, 0.3, 1.0, 3.0}) {
             const double dt = part * std::sqrt(h / g);
             TestCase c = rest;
-            if (elastic) c.controls.convergence = ConvergenceControls{};
-            else c.start(dt);
+            if (elastic)
+                c.controls.convergence = ConvergenceControls{};
+            else
+                c.start(dt);
             double rejected = 0;
             for (int n = 0; n < 2000; ++n) rejected += c.step(dt).rejected;
             const double kinetic = storedEnergy<2>(c.problem, c.controls, c.state).kinetic / (1000 * g * 0.5 * 0.5 * 1);
@@ -136,11 +144,13 @@ TEST(NothingMovesYet, stepsAreAcceptedUntilItDoes) {
     EXPECT_GT(largest(c.state.nodes.v), 5e-3);
 }
 
-// Water that strikes the floor at t = 0: what stops it is an impulse and no pressure, and the first steps make no energy.
+// Water that strikes the floor at t = 0: what stops it is an impulse and no pressure, and the first steps make no
+// energy.
 TEST(ImpactAtStart, makesNoEnergyAndNoPressure) {
-    TestCase c = makeCase("meshSize 0.05; bodies ( water { type fluid; material water; velocity (0 -3); " + rectangle(0.2, 0, 0.6, 0.4) +
-                              " } ); walls ( tank { points ((0 1) (0 0) (1 0) (1 1)); } );",
-                          "water { type newtonian; rho 1000; mu 1e-3; }", "tank { type slip; }");
+    TestCase c =
+        makeCase("meshSize 0.05; bodies ( water { type fluid; material water; velocity (0 -3); " +
+                     rectangle(0.2, 0, 0.6, 0.4) + " } ); walls ( tank { points ((0 1) (0 0) (1 0) (1 1)); } );",
+                 "water { type newtonian; rho 1000; mu 1e-3; }", "tank { type slip; }");
     c.start(1e-3);
     const double p0 = largest(c.state.nodes.p);
     double energy = storedEnergy<2>(c.problem, c.controls, c.state).total();
@@ -148,7 +158,8 @@ TEST(ImpactAtStart, makesNoEnergyAndNoPressure) {
         const double broughtIn = c.state.energy["volume"] + c.state.energy["remeshing"];
         c.step(1e-3);
         const double now = storedEnergy<2>(c.problem, c.controls, c.state).total();
-        EXPECT_LT(now - energy, c.state.energy["volume"] + c.state.energy["remeshing"] - broughtIn + 1e-4 * energy) << n;
+        EXPECT_LT(now - energy, c.state.energy["volume"] + c.state.energy["remeshing"] - broughtIn + 1e-4 * energy)
+            << n;
         energy = now;
         if (n == 0) {
             EXPECT_NEAR(p0, largest(c.state.nodes.p), 0.05 * p0);

@@ -1,5 +1,5 @@
-// A case in other units is the same case. Units that are powers of two of each other leave every digit of a computation as it is, so
-// that the results must agree to the last bit: a number that has a unit and is hidden in the code cannot.
+// A case in other units is the same case. Units that are powers of two of each other leave every digit of a computation
+// as it is, so that the results must agree to the last bit: a number that has a unit and is hidden in the code cannot.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -25,19 +25,22 @@ const Units unitsOfTwo{0x1p10, 0x1p-13, 0x1p5};
 TestCase columnAndWall(const Units& u, const std::string& wall) {
     const auto box = [&](double x0, double y0, double x1, double y1) {
         const auto l = [&](double x) { return x * u.length; };
-        return fmt::format("vertices (({} {}) ({} {}) ({} {}) ({} {}));", l(x0), l(y0), l(x1), l(y0), l(x1), l(y1), l(x0), l(y1));
+        return fmt::format("vertices (({} {}) ({} {}) ({} {}) ({} {}));", l(x0), l(y0), l(x1), l(y0), l(x1), l(y1),
+                           l(x0), l(y1));
     };
     const double density = u.mass / std::pow(u.length, 3);
-    TestCase c = makeCase(
-        fmt::format("meshSize {}; bodies ( column {{ type fluid; material water; {} }} drop {{ type fluid; material water; {} velocity (0 {}); }}"
-                    " step {{ type solid; material soft; {} patches {{ base {{ edges ((0 1)); }} }} }} );"
-                    " walls ( tank {{ points ((0 {}) (0 0) ({} 0) ({} {})); }} );",
-                    0.02 * u.length, box(0, 0, 0.14, 0.28), box(0.2, 0.2, 0.25, 0.25), -3 * u.speed(), box(0.24, 0, 0.27, 0.1), 0.6 * u.length,
-                    0.5 * u.length, 0.5 * u.length, 0.6 * u.length),
-        fmt::format("water {{ type bingham; rho {}; mu {}; tau0 {}; m {}; kappa {}; }} soft {{ type hypoelastic; rho {}; E {}; nu 0.3; }}",
-                    1000 * density, 1e-3 * u.pressure() * u.time, 0.5 * u.pressure(), 0.1 * u.time, 2e6 * u.pressure(), 1200 * density,
-                    2e5 * u.pressure()),
-        "tank { type " + wall + "; } base { type clamped; }", {0, -9.81 * u.speed() / u.time});
+    TestCase c =
+        makeCase(fmt::format("meshSize {}; bodies ( column {{ type fluid; material water; {} }} drop {{ type fluid; "
+                             "material water; {} velocity (0 {}); }}"
+                             " step {{ type solid; material soft; {} patches {{ base {{ edges ((0 1)); }} }} }} );"
+                             " walls ( tank {{ points ((0 {}) (0 0) ({} 0) ({} {})); }} );",
+                             0.02 * u.length, box(0, 0, 0.14, 0.28), box(0.2, 0.2, 0.25, 0.25), -3 * u.speed(),
+                             box(0.24, 0, 0.27, 0.1), 0.6 * u.length, 0.5 * u.length, 0.5 * u.length, 0.6 * u.length),
+                 fmt::format("water {{ type bingham; rho {}; mu {}; tau0 {}; m {}; kappa {}; }} soft {{ type "
+                             "hypoelastic; rho {}; E {}; nu 0.3; }}",
+                             1000 * density, 1e-3 * u.pressure() * u.time, 0.5 * u.pressure(), 0.1 * u.time,
+                             2e6 * u.pressure(), 1200 * density, 2e5 * u.pressure()),
+                 "tank { type " + wall + "; } base { type clamped; }", {0, -9.81 * u.speed() / u.time});
     c.controls.continuity.volumeReturnTime *= u.time;
     c.controls.convergence.deltaTMin *= u.time;
     return c;
@@ -46,7 +49,8 @@ TestCase columnAndWall(const Units& u, const std::string& wall) {
 template <class Values>
 void expectScaled(const Values& values, const Values& other, double scale, const char* what) {
     ASSERT_EQ(values.size(), other.size()) << what;
-    for (std::size_t i = 0; i < values.size(); ++i) ASSERT_EQ(other[i], typename Values::value_type(scale * values[i])) << what << i;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        ASSERT_EQ(other[i], typename Values::value_type(scale * values[i])) << what << i;
 }
 
 void expectSameState(const State<2>& s, const State<2>& other, const Units& u) {
@@ -64,7 +68,8 @@ void expectSameState(const State<2>& s, const State<2>& other, const Units& u) {
     expectScaled(s.nodes.lostVolume, other.nodes.lostVolume, area, "lostVolume");
     EXPECT_EQ(other.approach, s.approach / u.time);
     for (const auto& [cause, amount] : s.ledger) EXPECT_EQ(other.ledger.at(cause), area * amount) << cause;
-    for (const auto& [cause, amount] : s.energy) EXPECT_EQ(other.energy.at(cause), u.pressure() * area * amount) << cause;
+    for (const auto& [cause, amount] : s.energy)
+        EXPECT_EQ(other.energy.at(cause), u.pressure() * area * amount) << cause;
 }
 
 double nextStep(const TestCase& c, const Units& u) {

@@ -13,7 +13,8 @@ namespace {
 double energy(const TestCase& c) {
     double sum = 0;
     for (const auto& s : c.state.mesh.fluid.nodes)
-        for (int node : s) sum += 0.5 * 1000 * simplexMeasure<2>(c.state.nodes.x, s) / 3 * c.state.nodes.v[node].squaredNorm();
+        for (int node : s)
+            sum += 0.5 * 1000 * simplexMeasure<2>(c.state.nodes.x, s) / 3 * c.state.nodes.v[node].squaredNorm();
     return sum;
 }
 
@@ -21,7 +22,8 @@ double energy(const TestCase& c) {
 double decay(double h, double dt, const char* integration = "nodal") {
     constexpr double U = 0.1, nu = 0.01, endTime = 1;
     TestCase c = makeCase("meshSize " + std::to_string(h) + "; bodies ( oil { type fluid; material oil; " +
-                              rectangle(0, 0, 1, 1) + " } );"
+                              rectangle(0, 0, 1, 1) +
+                              " } );"
                               " walls ( box { points ((0 0) (1 0) (1 1) (0 1)); closed yes; } );",
                           "oil { type newtonian; rho 1000; mu " + std::to_string(1000 * nu) + "; kappa 2.1e9; }",
                           "box { type slip; }", {0, 0});

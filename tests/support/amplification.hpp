@@ -8,7 +8,8 @@
 
 namespace pfem::test {
 
-/// The quantities of a state that a step takes from it, but for those without memory (accelerations), as one vector without units, and back.
+/// The quantities of a state that a step takes from it, but for those without memory (accelerations), as one vector
+/// without units, and back.
 class StateVector {
     enum Kind { position, velocity, pressure, lostVolume, stress };
     struct Entry {
@@ -19,20 +20,34 @@ class StateVector {
     };
     static double value(const Nodes<2>& n, const Entry& e) {
         switch (e.kind) {
-            case position: return n.x[e.node].dot(e.direction);
-            case velocity: return n.v[e.node].dot(e.direction);
-            case pressure: return n.p[e.node];
-            case lostVolume: return n.lostVolume[e.node];
-            default: return n.sigma[e.node][static_cast<int>(e.direction[0])];
+            case position:
+                return n.x[e.node].dot(e.direction);
+            case velocity:
+                return n.v[e.node].dot(e.direction);
+            case pressure:
+                return n.p[e.node];
+            case lostVolume:
+                return n.lostVolume[e.node];
+            default:
+                return n.sigma[e.node][static_cast<int>(e.direction[0])];
         }
     }
     static void change(Nodes<2>& n, const Entry& e, double amount) {
         switch (e.kind) {
-            case position: n.x[e.node] += amount * e.direction; break;
-            case velocity: n.v[e.node] += amount * e.direction; break;
-            case pressure: n.p[e.node] += amount; break;
-            case lostVolume: n.lostVolume[e.node] += amount; break;
-            default: n.sigma[e.node][static_cast<int>(e.direction[0])] += amount;
+            case position:
+                n.x[e.node] += amount * e.direction;
+                break;
+            case velocity:
+                n.v[e.node] += amount * e.direction;
+                break;
+            case pressure:
+                n.p[e.node] += amount;
+                break;
+            case lostVolume:
+                n.lostVolume[e.node] += amount;
+                break;
+            default:
+                n.sigma[e.node][static_cast<int>(e.direction[0])] += amount;
         }
     }
     static std::vector<Vec<2>> freeDirections(const NodeConstraints<2>& constraints, int i) {
@@ -98,13 +113,16 @@ public:
     }
 
 private:
-    void add(int node, Kind kind, const Vec<2>& direction, double scale) { entry_.push_back({node, kind, direction, scale}); }
+    void add(int node, Kind kind, const Vec<2>& direction, double scale) {
+        entry_.push_back({node, kind, direction, scale});
+    }
 
     Nodes<2> rest_;
     std::vector<Entry> entry_;
 };
 
-/// Derivative of one whole step (motion, surface, walls, connectivity) by the state at rest, by differences of fourth order.
+/// Derivative of one whole step (motion, surface, walls, connectivity) by the state at rest, by differences of fourth
+/// order.
 inline Eigen::MatrixXd amplification(const TestCase& rest, const StateVector& vector, double dt, double eps = 1e-3) {
     const int n = vector.size();
     Eigen::MatrixXd G(n, n);
@@ -118,7 +136,8 @@ inline Eigen::MatrixXd amplification(const TestCase& rest, const StateVector& ve
         return vector.of(c.state.nodes);
     };
     for (int k = 0; k < n; ++k)
-        G.col(k) = (8 * (stepped(k, eps) - stepped(k, -eps)) - (stepped(k, 2 * eps) - stepped(k, -2 * eps))) / (12 * eps);
+        G.col(k) =
+            (8 * (stepped(k, eps) - stepped(k, -eps)) - (stepped(k, 2 * eps) - stepped(k, -2 * eps))) / (12 * eps);
     return G;
 }
 

@@ -10,11 +10,11 @@ namespace pfem::test {
 /// `cells` = "(nx ny)" of the pattern (checkerboard, oneWay, crossed).
 inline TestCase cantilever(const std::string& cells, const std::string& pattern, const std::string& integration,
                            const std::string& update, double damping) {
-    TestCase c = makeCase("meshSize 2; bodies ( beam { type solid; material steel; " +
-                              rectangle(0, 0, 25, 4) + " pattern " + pattern + "; cells " + cells +
-                              "; patches { base { edges ((3 0)); } end { edges ((1 2)); } } } );",
-                          "steel { type hypoelastic; rho 1; E 1e4; nu 0.25; }",
-                          "base { type clamped; } end { type traction; traction (0 10 0); }", {0, 0});
+    TestCase c =
+        makeCase("meshSize 2; bodies ( beam { type solid; material steel; " + rectangle(0, 0, 25, 4) + " pattern " +
+                     pattern + "; cells " + cells + "; patches { base { edges ((3 0)); } end { edges ((1 2)); } } } );",
+                 "steel { type hypoelastic; rho 1; E 1e4; nu 0.25; }",
+                 "base { type clamped; } end { type traction; traction (0 10 0); }", {0, 0});
     c.controls.integration.integration = integration;
     c.controls.solid.stressUpdate = update;
     c.controls.solid.damping = damping;

@@ -54,8 +54,8 @@ inline TestCase makeCase(const std::string& mesh, const std::string& materials, 
     c.state = buildMesh(readMeshDict(Dictionary::parse(mesh, "meshDict"), names)).state;
     for (const auto& name : c.state.mesh.materials) c.problem.materials.push_back(findMaterial(all, name));
     c.problem.gravity = gravity;
-    c.problem.conditions = readBoundaryConditions<2>(Dictionary::parse(conditions, "boundaryConditions"),
-                                                     c.state.mesh.patches);
+    c.problem.conditions =
+        readBoundaryConditions<2>(Dictionary::parse(conditions, "boundaryConditions"), c.state.mesh.patches);
     return c;
 }
 
@@ -71,12 +71,14 @@ inline std::string rectangle(double x0, double y0, double x1, double y1) {
 /// Fluid (below y = 0.5) on a solid of the unit square, 0.1 m cells, all nodes shifted at random: an irregular mesh
 /// with an interface that is not straight. Distinct masses and stiffnesses, so that a swap is seen.
 inline TestCase irregularPair() {
-    TestCase c = makeCase("meshSize 0.1; bodies ("
-                          "lower { type fluid; material water; " + rectangle(0, 0, 1, 0.5) + " }"
-                          "upper { type solid; material rubber; " + rectangle(0, 0.5, 1, 1) +
-                          " patches { top { edges ((2 3)); } } } );",
-                          "water { type newtonian; rho 1000; mu 3; kappa 2.1e9; }" + rubber,
-                          "top { type clamped; }");
+    TestCase c = makeCase(
+        "meshSize 0.1; bodies ("
+        "lower { type fluid; material water; " +
+            rectangle(0, 0, 1, 0.5) +
+            " }"
+            "upper { type solid; material rubber; " +
+            rectangle(0, 0.5, 1, 1) + " patches { top { edges ((2 3)); } } } );",
+        "water { type newtonian; rho 1000; mu 3; kappa 2.1e9; }" + rubber, "top { type clamped; }");
     std::mt19937 random(7);
     std::uniform_real_distribution<double> shift(-0.015, 0.015);
     for (auto& x : c.state.nodes.x) x += Vec<2>(shift(random), shift(random));
@@ -170,14 +172,15 @@ inline Harmonic fitHarmonic(const std::vector<double>& t, const std::vector<doub
 
 /// Water beside and over a soft solid step in a tank.
 inline TestCase waterBesideStep() {
-    return makeCase("meshSize 0.05; bodies ("
-                    " water { type fluid; material water; vertices ((0 0) (0.4 0) (0.4 0.2) (0.6 0.2) (0.6 0.4) (0 0.4)); }"
-                    " step { type solid; material soft; vertices ((0.4 0) (0.6 0) (0.6 0.2) (0.4 0.2));"
-                    "   patches { base { edges ((0 1)); } } } );"
-                    " walls ( tank { points ((0 0.8) (0 0) (1 0) (1 0.8)); } );",
-                    "water { type newtonian; rho 1000; mu 0.5; kappa 2.1e9; }"
-                    "soft { type hypoelastic; rho 1200; E 1e5; nu 0.3; }",
-                    "tank { type slip; } base { type clamped; }");
+    return makeCase(
+        "meshSize 0.05; bodies ("
+        " water { type fluid; material water; vertices ((0 0) (0.4 0) (0.4 0.2) (0.6 0.2) (0.6 0.4) (0 0.4)); }"
+        " step { type solid; material soft; vertices ((0.4 0) (0.6 0) (0.6 0.2) (0.4 0.2));"
+        "   patches { base { edges ((0 1)); } } } );"
+        " walls ( tank { points ((0 0.8) (0 0) (1 0) (1 0.8)); } );",
+        "water { type newtonian; rho 1000; mu 0.5; kappa 2.1e9; }"
+        "soft { type hypoelastic; rho 1200; E 1e5; nu 0.3; }",
+        "tank { type slip; } base { type clamped; }");
 }
 
 }  // namespace pfem::test

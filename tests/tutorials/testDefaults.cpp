@@ -44,7 +44,8 @@ TEST(Tutorials, pfemSolutionHoldsTheDefaults) {
 }
 
 TEST(Tutorials, pfemSolutionHasNoUnknownEntry) {
-    for (const char* name : {"damBreakElasticWall", "cantilever", "hydrostaticPlate", "mudColumn", "sloshing", "waveMaker"}) {
+    for (const char* name :
+         {"damBreakElasticWall", "cantilever", "hydrostaticPlate", "mudColumn", "sloshing", "waveMaker"}) {
         const Case theCase(std::string(PFEM_SOURCE_DIR) + "/tutorials/" + name);
         testing::internal::CaptureStderr();
         readControls(theCase);
