@@ -12,7 +12,6 @@
 #include "case/unfinished.hpp"
 #include "functions/functionObjects.hpp"
 #include "io/stateFiles.hpp"
-#include "remesh/appeared.hpp"
 #include "solver/checkProblem.hpp"
 #include "solver/log.hpp"
 #include "solver/recorder.hpp"
@@ -57,9 +56,9 @@ int run(const Options& options) {
     keepSettings(theCase, settings);  // all of them have been accepted
 
     double firstVolume = totalVolume(state);
-    for (const auto& [cause, amount] : state.ledger) firstVolume -= amount;
+    for (const auto& [cause, amount] : state.ledger.byName()) firstVolume -= amount;
     const bool counting = functions.wantAppeared();
-    if (counting) countAppeared(state);
+    if (counting) state.ledger.countFields(state.nodes.size());
     Recorder<2> recorder(theCase, problem, clock, state);
     if (state.time.index == 0) recorder.start(controls, state, clock.deltaT(state.time));
     functions.start(state);
@@ -90,7 +89,7 @@ int run(const Options& options) {
         state.memory = functions.memory();
         if (write) {
             recorder.save(state);
-            if (counting) countAppeared(state);
+            if (counting) state.ledger.countFields(state.nodes.size());
         }
         const double done = (state.time.value - timeStart) / (clock.controls().endTime - timeStart);
         std::cout << timeLines(cpuNow(), clockNow() - clockStart, done) << std::flush;

@@ -29,7 +29,7 @@ void printTable(const std::vector<MassBalance>& rows) {
 void printCompression(const std::vector<MassBalance>& rows) {
     double largest = 0, time = 0;
     for (const auto& row : rows) {
-        const auto compression = row.causes.find("compression");
+        const auto compression = row.causes.find(textOf(VolumeCause::compression).name);
         if (compression == row.causes.end() || !(row.volume > 0)) continue;
         const double part = compression->second / row.volume;
         if (std::abs(part) <= std::abs(largest)) continue;

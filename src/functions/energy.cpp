@@ -7,17 +7,6 @@
 
 namespace pfem {
 
-namespace {
-
-/// What the solver has counted of a cause.
-template <int Dim>
-double counted(const State<Dim>& state, const std::string& cause) {
-    const auto found = state.energy.find(cause);
-    return found == state.energy.end() ? 0 : found->second;
-}
-
-}  // namespace
-
 template <int Dim>
 Energy<Dim>::Energy(const Dictionary&, const FunctionContext<Dim>& context) : context_(context) {
     context_.precision = std::max(8, context_.precision);  // small differences of large numbers
@@ -28,8 +17,8 @@ void Energy<Dim>::start(const State<Dim>& state) {
     problem_ = readProblem<Dim>(Case(context_.root), state, nullptr);
     controls_ = readControls(Case(context_.root), nullptr);
     first_ = storedEnergy<Dim>(*problem_, controls_, state).total();
-    firstRemeshing_ = counted(state, "remeshing");
-    firstVolume_ = counted(state, "volume");
+    firstRemeshing_ = state.energy[EnergyCause::remeshing];
+    firstVolume_ = state.energy[EnergyCause::volume];
     flows_ = {};
     const auto found = state.memory.find(context_.name);
     if (found != state.memory.end() && found->second.size() >= 5) {
@@ -49,7 +38,7 @@ void Energy<Dim>::start(const State<Dim>& state) {
     table_.emplace(context_.folder / "energy.dat", context_.precision, context_.resumeAt);
     table_->comment("Energy, dissipation and work since the beginning [J/m in 2D, J in 3D]");
     table_->header({"Time", "kinetic", "elastic", "potential", "total", "viscous", "damper", "workWalls", "workLoads",
-                    "remeshing", "volume", "numerical"});
+                    textOf(EnergyCause::remeshing).name, textOf(EnergyCause::volume).name, "numerical"});
 }
 
 template <int Dim>
@@ -78,8 +67,8 @@ void Energy<Dim>::advance(const State<Dim>& state) {
 template <int Dim>
 void Energy<Dim>::execute(const State<Dim>& state) {
     const auto energy = storedEnergy<Dim>(*problem_, controls_, state);
-    const double remeshing = counted(state, "remeshing") - firstRemeshing_;
-    const double volume = counted(state, "volume") - firstVolume_;
+    const double remeshing = state.energy[EnergyCause::remeshing] - firstRemeshing_;
+    const double volume = state.energy[EnergyCause::volume] - firstVolume_;
     const double numerical = first_ + flows_.workWalls + flows_.workLoads + remeshing + volume - energy.total() -
                              flows_.viscous - flows_.damper;
     std::vector<std::string> row{table_->time(state.time.value)};

@@ -41,7 +41,7 @@ public:
     /// Numbers that a restart needs; start() finds them again in State::memory under the function's name.
     virtual std::vector<double> memory() const { return {}; }
 
-    /// Shall the run count where volume appears (State::appeared) and write it into its time folders?
+    /// Shall the run count where volume appears (the ledger's fields) and write it into its time folders?
     virtual bool wantsAppeared() const { return false; }
 
     /// Evaluate the state and write a row. Throws UserError when the file cannot be written.

@@ -39,7 +39,7 @@ public:
     /// What the functions need to go on after a restart, for State::memory.
     std::map<std::string, std::vector<double>> memory() const;
 
-    /// Does one of them want State::appeared?
+    /// Does one of them want the ledger's fields?
     bool wantAppeared() const;
 
     /// The entries' names.

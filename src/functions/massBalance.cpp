@@ -24,10 +24,9 @@ double fluidMass(const State<Dim>& state, const std::map<std::string, double>& d
     std::vector<double> volumes(state.mesh.materials.size(), 0.0);
     for (std::size_t e = 0; e < cells.nodes.size(); ++e)
         volumes.at(static_cast<std::size_t>(cells.material[e])) += simplexMeasure<Dim>(state.nodes.x, cells.nodes[e]);
-    const auto compression = state.ledger.find("compression");
     if (!volumes.empty() && !cells.material.empty())
         volumes[static_cast<std::size_t>(*std::min_element(cells.material.begin(), cells.material.end()))] +=
-            dropVolume<Dim>(state) - (compression == state.ledger.end() ? 0 : compression->second);
+            dropVolume<Dim>(state) - state.ledger[VolumeCause::compression];
     double mass = 0;
     for (std::size_t m = 0; m < volumes.size(); ++m) {
         if (volumes[m] == 0) continue;
@@ -42,7 +41,7 @@ double fluidMass(const State<Dim>& state, const std::map<std::string, double>& d
 template <int Dim>
 MassAccount<Dim>::MassAccount(const State<Dim>& initial, std::map<std::string, double> densities)
     : densities_(std::move(densities)),
-      initialLedger_(initial.ledger),
+      initialLedger_(initial.ledger.byName()),
       initialVolume_(totalVolume<Dim>(initial)),
       initialMass_(fluidMass(initial, densities_)) {}
 
@@ -53,10 +52,10 @@ MassBalance MassAccount<Dim>::balance(const State<Dim>& state) const {
     b.volume = totalVolume<Dim>(state);
     b.mass = fluidMass(state, densities_);
     b.relativeChange = initialMass_ > 0 ? (b.mass - initialMass_) / initialMass_ : 0.0;
-    b.causes = state.ledger;
+    b.causes = state.ledger.byName();
     for (const auto& [cause, volume] : initialLedger_) b.causes[cause] -= volume;
     for (const auto& [cause, volume] : b.causes) b.sumOfCauses += volume;
-    const auto gone = b.causes.find("gone");
+    const auto gone = b.causes.find(textOf(VolumeCause::gone).name);
     b.withoutGone =
         b.relativeChange - (gone != b.causes.end() && initialVolume_ > 0 ? gone->second / initialVolume_ : 0);
     b.unexplained = b.volume - initialVolume_ - b.sumOfCauses;

@@ -2,7 +2,7 @@
 // Energies of a state and the powers that change them.
 
 #include "solver/controls.hpp"
-#include "solver/energyLedger.hpp"
+#include "solver/fluidEnergy.hpp"
 #include "state/problem.hpp"
 
 namespace pfem {

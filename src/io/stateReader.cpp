@@ -115,8 +115,8 @@ State<Dim> readState(const std::filesystem::path& folder) {
     state.time = uniform.time;
     state.nextId = uniform.nextId;
     state.approach = uniform.approach;
-    state.ledger = uniform.ledger;
-    state.energy = uniform.energy;
+    state.ledger.takeFrom(uniform.ledger);
+    state.energy.takeFrom(uniform.energy);
     state.memory = uniform.memory;
     state.nodes = mergeNodes<Dim>({&solid, &fluid, &boundary});
     if (!state.nodes.id.empty() && state.nodes.id.back() >= state.nextId)

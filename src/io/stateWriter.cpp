@@ -94,7 +94,8 @@ void writeState(const std::filesystem::path& folder, const State<Dim>& state, co
     boundary->GetFieldData()->AddArray(makeWords("patchNames", names));
     writeGrid(staged.path() / boundaryFile, boundary);
 
-    UniformTime uniform{state.time, state.nextId, state.approach, state.ledger, state.energy, {}, state.memory};
+    UniformTime uniform{state.time, state.nextId, state.approach, state.ledger.byName(), state.energy.byName(),
+                        {},         state.memory};
     for (const auto& file : files) uniform.checksums[file] = checksumOf(readText(staged.path() / file));
     std::filesystem::create_directory(staged.path() / "uniform");
     writeAtomically(staged.path() / "uniform" / "time", formatUniformTime(uniform, folder.filename().string()));

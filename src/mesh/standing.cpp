@@ -48,7 +48,7 @@ bool leaveFeet(const Topology<2>& topology, const Points<2>& v, State<2>& state)
         nodes.v.back() = v[floor[0]];
         nodes.a.back().setZero();
         nodes.lostVolume[i] = 0;  // goes with the water
-        for (auto& [cause, amounts] : state.appeared) amounts.push_back(std::exchange(amounts[i], 0.0));
+        for (auto& [cause, amounts] : state.ledger.fields()) amounts.push_back(std::exchange(amounts[i], 0.0));
     }
     for (auto& cell : state.mesh.fluid.nodes)
         for (int& node : cell)

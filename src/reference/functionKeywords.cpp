@@ -11,6 +11,18 @@
 
 namespace pfem {
 
+namespace {
+
+/// A line per cause of a ledger.
+template <class Cause>
+std::string causeList() {
+    std::string text = "\n";
+    for (const auto& cause : Causes<Cause>::table) text += fmt::format("\n* `{}`: {}", cause.name, cause.meaning);
+    return text;
+}
+
+}  // namespace
+
 std::vector<KeywordTable> functionKeywords() {
     const std::string file = "system/controlDict, functions";
     const EntryDescription fields{"fields", "list of word", "-", "required", "fields by name", "U a D p sigma h"};
@@ -27,13 +39,21 @@ std::vector<KeywordTable> functionKeywords() {
          "`postProcessing/<name>/<startTime>`.",
          all},
         {file, "boundingBox", "Lower and upper corners of fluid and solids; no entries.", {}},
-        {file, "energy", "Stored energies, dissipation, works, and what the numerics dissipate; no entries.", {}},
+        {file,
+         "energy",
+         "Stored energies, dissipation, works, and what the numerics dissipate; no entries. What came beside the "
+         "equations of motion, by cause:" +
+             causeList<EnergyCause>(),
+         {}},
         {file, "fieldMinMax", "Extremes of fields and where they are.", {fields}},
         {file, "forces", "Force and moment of the fluid on walls and solids; reactions of supports.",
          describeEntries<ForcesEntries>()},
         {file, "front", "How far the main body of fluid has come.", describeEntries<FrontEntries>()},
         {file, "line", "Fields along a straight line, a file per time.", describeEntries<LineEntries>()},
-        {file, "massLedger", "Fluid volume and mass, and what changed them.", describeEntries<MassLedgerEntries>()},
+        {file, "massLedger",
+         "Fluid volume and mass, and what changed them: a column per cause, the volume that appeared by it." +
+             causeList<VolumeCause>(),
+         describeEntries<MassLedgerEntries>()},
         {file, "pressureSensor", "Mean pressure over a disc or segment on a wall or solid.",
          describeEntries<PressureSensorEntries>()},
         {file,

@@ -77,7 +77,6 @@ public:
         for (int e = 0; e < static_cast<int>(t_.cells.size()); ++e) judge(e);
         countCells();
         Connectivity& result = result_;
-        result.gained.resize(nodes_.x.size(), 0.0);
         peel();
         result.fluid.reserve(t_.cells.size());
         for (std::size_t e = 0; e < t_.cells.size(); ++e) {
@@ -85,9 +84,7 @@ public:
             if (!accepted_[e]) continue;
             result.fluid.push_back(t_.cells[e]);
             if (inside_[e]) continue;
-            result.contact += simplexMeasure<2>(nodes_.x, t_.cells[e]);
-            result.contacts.push_back(t_.cells[e]);
-            gain(e, 1);
+            change(e, VolumeCause::contact, 1);
         }
         return std::move(result);
     }
@@ -202,8 +199,8 @@ private:
         return false;
     }
 
-    void gain(int e, int sign) {
-        for (int node : t_.cells[e]) result_.gained[node] += sign * simplexMeasure<2>(nodes_.x, t_.cells[e]) / 3;
+    void change(std::size_t e, VolumeCause cause, int sign) {
+        result_.changes.push_back({cause, t_.cells[e], sign * simplexMeasure<2>(nodes_.x, t_.cells[e])});
     }
 
     void peel() {
@@ -220,11 +217,7 @@ private:
             const bool stretched = isStretched(e) || isHanging(e);
             if (!stretched && !isTrapped(e) && !isReleased(e)) continue;
             accepted_[e] = 0;
-            if (inside_[e]) {
-                (stretched ? result_.stretched : result_.released) += simplexMeasure<2>(nodes_.x, t_.cells[e]);
-                (stretched ? result_.stretchedCells : result_.releasedCells).push_back(t_.cells[e]);
-                gain(e, -1);
-            }
+            if (inside_[e]) change(e, stretched ? VolumeCause::stretched : VolumeCause::released, -1);
             for (int node : t_.cells[e]) --cells_[node];
             for (int other : t_.neighbours[e])
                 if (isFluid(other)) work.push_back(other);
@@ -244,6 +237,13 @@ private:
 };
 
 }  // namespace
+
+std::vector<Simplex<2>> cellsOf(const std::vector<CellChange>& changes, VolumeCause cause) {
+    std::vector<Simplex<2>> cells;
+    for (const auto& change : changes)
+        if (change.cause == cause) cells.push_back(change.cell);
+    return cells;
+}
 
 Connectivity selectFluid(const RemeshingControls& controls, const Triangulation<2>& triangulation,
                          const CandidateNodes& nodes, const MovedMesh<2>& moved, const MovedPlaces& places) {

@@ -4,6 +4,7 @@
 #include "remesh/controls.hpp"
 #include "remesh/delaunay.hpp"
 #include "remesh/movedMesh.hpp"
+#include "state/volumeCauses.hpp"
 
 namespace pfem {
 
@@ -19,15 +20,21 @@ struct CandidateNodes {
     Points<2> inward;                 // of nodes that slide along a wall: its normal into the fluid; else zero
 };
 
+/// A triangle that has become fluid or has ceased to be.
+struct CellChange {
+    VolumeCause cause;
+    Simplex<2> cell;
+    double amount = 0;  // its measure, negative when it has gone
+};
+
 struct Connectivity {
     std::vector<Simplex<2>> fluid;
-    double contact = 0;    // volume of accepted triangles outside the moved old mesh
-    double stretched = 0;  // volume peeled off inside it: stretched triangles and slivers
-    double released = 0;   // volume peeled off inside it: wall nodes that were released
-    std::vector<Simplex<2>> contacts, stretchedCells, releasedCells;  // the triangles that these are made of
-    std::vector<Simplex<2>> gaps;  // triangles of air, no larger than a contact may be, between surfaces or drops
-    std::vector<double> gained;    // contact - stretched - released per node, a third of each triangle
+    std::vector<Simplex<2>> gaps;     // triangles of air, no larger than a contact may be, between surfaces or drops
+    std::vector<CellChange> changes;  // by `contact` outside the moved old mesh, by `stretched` and `released` inside
 };
+
+/// The cells of the changes by one cause.
+std::vector<Simplex<2>> cellsOf(const std::vector<CellChange>& changes, VolumeCause cause);
 
 /// Which cells of the moved old mesh, which must outlive it, hold a point.
 struct MovedPlaces {

@@ -28,17 +28,19 @@ double handOver(const MovedMesh<2>& moved, const std::vector<int>& newIndex, con
     return orphaned;
 }
 
-/// What removed surface nodes cut off or fill in; returns the sum.
-double chargeCuts(const MovedMesh<2>& moved, const NodePlan<2>& plan, const std::vector<int>& newIndex,
-                  std::vector<double>& lost) {
+/// What removed surface nodes cut off or fill in, half to each of their neighbours: give(node, amount); returns the
+/// sum.
+template <class Give>
+double shareCuts(const MovedMesh<2>& moved, const NodePlan<2>& plan, const std::vector<int>& newIndex,
+                 const Give& give) {
     double sum = 0;
     for (const auto& cut : plan.cuts) {
-        const double area = simplexMeasure<2>(moved.x, cut);
-        for (int end : {cut[0], cut[2]})
-            if (newIndex[end] >= 0) {
-                lost[newIndex[end]] += 0.5 * area;
-                sum -= 0.5 * area;
-            }
+        const double amount = -0.5 * simplexMeasure<2>(moved.x, cut);
+        for (int end : {cut[0], cut[2]}) {
+            if (newIndex[end] < 0) continue;
+            give(newIndex[end], amount);
+            sum += amount;
+        }
     }
     return sum;
 }
@@ -52,9 +54,12 @@ std::vector<int> lastingSurface(const MovedMesh<2>& moved, const std::vector<int
     return surface;
 }
 
-/// An even share of what appeared for each of the nodes.
-void chargeEvenly(const std::vector<int>& nodes, double change, std::vector<double>& lost) {
-    for (int node : nodes) lost[node] -= change / static_cast<double>(nodes.size());
+/// Indices of those that are marked.
+std::vector<int> chosen(const std::vector<unsigned char>& marked) {
+    std::vector<int> result;
+    for (std::size_t i = 0; i < marked.size(); ++i)
+        if (marked[i]) result.push_back(static_cast<int>(i));
+    return result;
 }
 
 /// Nodes without triangles carry what they lack; those that have found one lack what they carried.
@@ -100,30 +105,29 @@ void chargeMotion(const NodeToCells& around, const std::vector<Simplex<Dim>>& ce
     });
 }
 
-void chargeRemeshing(const MovedMesh<2>& moved, const NodePlan<2>& plan, const std::vector<int>& newIndex,
-                     const Connectivity& selected, double change, State<2>& state) {
+void bookRemeshing(const MovedMesh<2>& moved, const NodePlan<2>& plan, const std::vector<int>& newIndex,
+                   const std::vector<CellChange>& changes, VolumeLedger& sheet, State<2>& state) {
     std::vector<double>& lost = state.nodes.lostVolume;
-    const auto wet = nodesIn<2>(selected.fluid, state.nodes.size());
-    for (int node = 0; node < state.nodes.size(); ++node) lost[node] -= selected.gained[node];
-    const double cuts = chargeCuts(moved, plan, newIndex, lost);
-    const double rest = change - selected.contact + selected.stretched + selected.released - cuts;
-    const double orphaned = handOver(moved, newIndex, wet, lost);
-    chargeEvenly(lastingSurface(moved, newIndex, wet), rest - orphaned, lost);
-    exchangeWithDrops(moved, newIndex, wet, state.nodes);
-}
+    const auto wet = nodesIn<2>(state.mesh.fluid.nodes, state.nodes.size());
+    double reshaped = cellVolume<2>(state.nodes.x, state.mesh.fluid.nodes) - moved.volume;
+    for (const auto cause : {VolumeCause::contact, VolumeCause::stretched, VolumeCause::released}) sheet.book(cause, 0);
+    for (const auto& [cause, cell, amount] : changes) sheet.book(cause, cell, amount);
+    for (int node = 0; node < state.nodes.size(); ++node) lost[node] -= sheet.atNodes()[node];
+    for (const auto cause : {VolumeCause::contact, VolumeCause::stretched, VolumeCause::released})
+        reshaped -= sheet[cause];
 
-std::vector<double> reshapedShares(const MovedMesh<2>& moved, const NodePlan<2>& plan, const std::vector<int>& newIndex,
-                                   const Connectivity& selected, double reshaped, int nNodes) {
-    std::vector<double> shares(nNodes, 0.0);  // as lost
-    const double cuts = chargeCuts(moved, plan, newIndex, shares);
-    const auto wet = nodesIn<2>(selected.fluid, nNodes);
-    auto takers = lastingSurface(moved, newIndex, wet);
-    if (takers.empty())  // no surface is left: all of the fluid
-        for (int node = 0; node < nNodes; ++node)
-            if (wet[node]) takers.push_back(node);
-    chargeEvenly(takers, reshaped - cuts, shares);
-    for (double& share : shares) share = -share;
-    return shares;
+    sheet.book(VolumeCause::reshaped, reshaped);
+    const double cuts = shareCuts(moved, plan, newIndex, [&](int node, double amount) {
+        sheet.place(VolumeCause::reshaped, node, amount);
+        lost[node] -= amount;
+    });
+    const double orphaned = handOver(moved, newIndex, wet, lost);
+    const auto surface = lastingSurface(moved, newIndex, wet);
+    for (const int node : surface) lost[node] -= (reshaped - cuts - orphaned) / static_cast<double>(surface.size());
+    const auto takers = surface.empty() ? chosen(wet) : surface;
+    for (const int node : takers)
+        sheet.place(VolumeCause::reshaped, node, (reshaped - cuts) / static_cast<double>(takers.size()));
+    exchangeWithDrops(moved, newIndex, wet, state.nodes);
 }
 
 template void chargeMotion<2>(const NodeToCells&, const std::vector<Simplex<2>>&, const Points<2>&, Nodes<2>&);

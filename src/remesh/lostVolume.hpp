@@ -19,15 +19,12 @@ template <int Dim>
 void chargeMotion(const NodeToCells& around, const std::vector<Simplex<Dim>>& cells, const Points<Dim>& xOld,
                   Nodes<Dim>& nodes);
 
-/// Charge a remeshing. Accepted and dropped triangles: a third to each of their nodes; a removed surface
-/// node: the triangle that it cuts off, half to each of its neighbours; the rest to all surface nodes.
-/// Removed nodes and dry places on walls and solids hand theirs to their ring. `change`: of the volume of all
-/// cells. Nodes without triangles carry what they lack as a drop.
-void chargeRemeshing(const MovedMesh<2>& moved, const NodePlan<2>& plan, const std::vector<int>& newIndex,
-                     const Connectivity& selected, double change, State<2>& state);
-
-/// Of that what the change of shape, `reshaped` in all, has given to each of the nNodes new nodes.
-std::vector<double> reshapedShares(const MovedMesh<2>& moved, const NodePlan<2>& plan, const std::vector<int>& newIndex,
-                                   const Connectivity& selected, double reshaped, int nNodes);
+/// Book a remeshing into its sheet and into what nodes lack. `changes`: a third of each triangle to each of its nodes;
+/// what is left of the change of all cells is `reshaped`: of a removed surface node, the triangle that it cuts off,
+/// half to each of its neighbours; the rest to all surface nodes. Removed nodes and dry places on walls and solids hand
+/// what they lack to their ring. Nodes without triangles carry it as a drop. The state has its new cells; `newIndex`:
+/// of the old nodes.
+void bookRemeshing(const MovedMesh<2>& moved, const NodePlan<2>& plan, const std::vector<int>& newIndex,
+                   const std::vector<CellChange>& changes, VolumeLedger& sheet, State<2>& state);
 
 }  // namespace pfem

@@ -8,12 +8,12 @@
 #include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
 #include "mesh/standing.hpp"
-#include "remesh/appeared.hpp"
 #include "remesh/connectivity.hpp"
 #include "remesh/heirs.hpp"
 #include "remesh/joinDrops.hpp"
 #include "remesh/lostVolume.hpp"
 #include "remesh/nodeControl.hpp"
+#include "remesh/passOn.hpp"
 
 namespace pfem {
 
@@ -157,8 +157,9 @@ std::vector<int> activeNodes(const State<2>& state, const std::vector<PatchKind>
 /// Drops that go take their volume with them.
 void bookGone(const MovedMesh<2>& moved, const std::vector<int>& gone, State<2>& state) {
     if (gone.empty()) return;
-    state.ledger["gone"] -= std::accumulate(moved.gone.begin(), moved.gone.end(), 0.0);
-    if (!state.appeared.empty()) state.appeared.try_emplace("gone", moved.x.size(), 0.0);
+    std::vector<double> amounts = moved.gone;
+    for (double& amount : amounts) amount = -amount;
+    state.ledger.book(VolumeCause::gone, amounts);
 }
 
 /// Nodes without triangles have no pressure.
@@ -209,23 +210,18 @@ RemeshReport<Dim> remesh(const RemeshingControls& controls, const std::vector<Pa
     state.mesh.fluid.nodes = selected.fluid;
     state.mesh.fluid.material.assign(selected.fluid.size(), material);
 
-    const double change = cellVolume<Dim>(state.nodes.x, selected.fluid) - moved.volume;
-    state.ledger["contact"] += selected.contact;
-    state.ledger["stretched"] -= selected.stretched;
-    state.ledger["released"] -= selected.released;
-    const double reshaped = change - selected.contact + selected.stretched + selected.released;
-    state.ledger["reshaped"] += reshaped;
-    chargeRemeshing(moved, plan, newIndex, selected, change, state);
-    if (!state.appeared.empty())
-        bookRemeshing<Dim>(moved, newIndex, selected,
-                           reshapedShares(moved, plan, newIndex, selected, reshaped, state.nodes.size()), state);
-    state.ledger["isolated"] += dropVolume<Dim>(state) - drops;
+    VolumeLedger sheet = state.ledger.sheet(state.nodes.size());
+    bookRemeshing(moved, plan, newIndex, selected.changes, sheet, state);
+    sheet.book(VolumeCause::isolated, dropVolume<Dim>(state) - drops);
+    sheet.place(VolumeCause::isolated, state.nodes.dropVolume);
+    state.ledger.place(VolumeCause::isolated, moved.dropVolume, -1);
+    postRemeshing<Dim>(moved, newIndex, std::move(sheet), state);
     clearDryPressure(state);
 
     RemeshReport<Dim> report;
     report.removed = std::accumulate(plan.removed.begin(), plan.removed.end(), 0);
     report.inserted = static_cast<int>(plan.inserted.size());
-    report.contacts = selected.contacts;
+    report.contacts = cellsOf(selected.changes, VolumeCause::contact);
     report.gaps = selected.gaps;
     return report;
 }

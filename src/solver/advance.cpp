@@ -14,7 +14,7 @@
 #include "remesh/penetration.hpp"
 #include "remesh/wallContact.hpp"
 #include "solver/courantRate.hpp"
-#include "solver/energyLedger.hpp"
+#include "solver/fluidEnergy.hpp"
 #include "solver/impact.hpp"
 #include "solver/invariants.hpp"
 
@@ -29,10 +29,7 @@ template <int Dim>
 double volumeCorrection(const State<Dim>& state, double time, double dt) {
     if (time == 0) return 0;
     const double volume = totalVolume<Dim>(state);
-    double change = 0;
-    for (const auto& [cause, amount] : state.ledger)
-        if (isGainOrLoss(cause)) change += amount;
-    return volume > 0 ? -change / (volume * std::max(time, dt)) : 0;
+    return volume > 0 ? -state.ledger.gainsAndLosses() / (volume * std::max(time, dt)) : 0;
 }
 
 /// What a step is asked to give to each node's patch: a share of what the node lacks, and of the patch's volume.
@@ -120,7 +117,8 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
     const auto& kinds = problem.conditions.kind;
     const auto topology = beginStep<Dim>(problem, report.dt, state);
     if (state.nodes.v != last.nodes.v)  // what has landed moves on as its wall allows
-        state.energy["remeshing"] += fluidEnergy<Dim>(problem, state).total() - fluidEnergy<Dim>(problem, last).total();
+        state.energy.book(EnergyCause::remeshing,
+                          fluidEnergy<Dim>(problem, state).total() - fluidEnergy<Dim>(problem, last).total());
     const auto constraints = constraintsOver<Dim>(0, report.dt, problem, state, topology);
 
     MotionAccount<Dim> account(state);
@@ -133,7 +131,8 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
     const std::vector<int> wallsOld = state.nodes.wall;
     const auto returned = returnedVolume<Dim>(
         topology, state, report.dt * volumeReturnRate(controls.continuity, report.dt), report.dt * divTarget);
-    state.energy["volume"] += volumeEnergy<Dim>(problem, state.mesh.fluid, state.nodes, result.nodes, returned);
+    state.energy.book(EnergyCause::volume,
+                      volumeEnergy<Dim>(problem, state.mesh.fluid, state.nodes, result.nodes, returned));
     const auto compressed =
         compressedVolume<Dim>(problem, state.mesh.fluid, topology.fluid, result.nodes, state.nodes.p);
     const Points<Dim> xOld = std::move(state.nodes.x);
@@ -148,14 +147,14 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
     try {
         if (problem.conditions.anyMotion()) standOnWalls(state.mesh, wallPatches(kinds), state.nodes);
         giveWay<Dim>(controls.remeshing, topology, returned, surfaceShare<Dim>(problem, report.dt, state.nodes), state);
-        account.book("surface", state);
+        account.book(VolumeCause::surface, state);
         releaseFromWalls<Dim>(controls.remeshing, topology, problem.gravity, heaviestFluid<Dim>(problem), report.dt,
                               state.nodes);
-        account.book("released", state);
+        account.book(VolumeCause::released, state);
         landOnWalls<Dim>(controls.remeshing, topology, xOld, state);
-        account.book("landed", state);
+        account.book(VolumeCause::landed, state);
         report.returned = returnPenetrating<Dim>(topology, controls.remeshing.wallDistance, state);
-        if (!state.mesh.solid.nodes.empty()) account.book("returned", state);
+        if (!state.mesh.solid.nodes.empty()) account.book(VolumeCause::returned, state);
         const auto& cells = state.mesh.fluid.nodes;
         for (int i = 0; i < state.nodes.size(); ++i) state.nodes.lostVolume[i] += compressed[i];  // is not lost
         chargeMotion<Dim>(topology.fluid, cells, xOld, state.nodes);
@@ -170,7 +169,7 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
             state.approach = std::max(met, closingRate<Dim>(state.nodes, remeshed.gaps, 0));
             report.mesh = remeshed;
         }
-        state.energy["remeshing"] += fluidEnergy<Dim>(problem, state).total() - energy;
+        state.energy.book(EnergyCause::remeshing, fluidEnergy<Dim>(problem, state).total() - energy);
     } catch (const StepFailure& failure) {  // the new mesh is unfinished
         throw FailedStep<Dim>(failure, withNodesOf<Dim>(last, state.nodes));
     }

@@ -91,7 +91,7 @@ Inspection<Dim> inspect(const FailedStep<Dim>& failure, const State<Dim>& last) 
     state.ledger = last.ledger;
     state.approach = last.approach;
     state.energy = last.energy;
-    state.appeared.clear();  // of the failed step, the ledger is that of the last
+    state.ledger.stopCounting();  // its nodes are those of the last state
     int named = 0;
     for (int i = 0; i < nodes.size(); ++i) {
         if (!result.failed[i] || ++named > 5) continue;

@@ -36,12 +36,8 @@ std::string stepLines(const AdvanceReport& report, const State<Dim>& state, doub
     text +=
         fmt::format("Mesh: {} nodes, {} fluid triangles, removed {}, inserted {}, returned {}\n", state.nodes.size(),
                     state.mesh.fluid.size(), report.mesh.removed, report.mesh.inserted, report.returned);
-    double change = 0, correction = 0;
-    for (const auto& [cause, amount] : state.ledger) {
-        if (isGainOrLoss(cause)) change += amount;
-        if (cause == "correction") correction = amount;
-    }
-    const double volume = totalVolume<Dim>(state), gone = goneVolume<Dim>(state);
+    const double change = state.ledger.gainsAndLosses(), correction = state.ledger[VolumeCause::correction],
+                 gone = state.ledger[VolumeCause::gone], volume = totalVolume<Dim>(state);
     if (firstVolume > 0)  // a case may have solids only
         text += fmt::format("Fluid volume = {:.6g}, change = {:.3g} %, raw = {:.3g} %{}\n", volume,
                             100 * change / firstVolume, 100 * (change - correction) / firstVolume,

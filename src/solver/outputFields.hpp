@@ -8,12 +8,12 @@
 
 namespace pfem {
 
-/// Where somebody has asked: State::appeared as ledgerSolver, ledgerContact, ...
+/// Where somebody has asked: the ledger's fields as ledgerSolver, ledgerContact, ...
 template <int Dim>
 ExtraFields ledgerFields(const State<Dim>& state) {
     ExtraFields extra;
-    for (const auto& [cause, amounts] : state.appeared) {
-        std::string name = "ledger" + cause;
+    for (const auto& [cause, amounts] : state.ledger.fields()) {
+        std::string name = std::string("ledger") + textOf(cause).name;
         name[6] = static_cast<char>(std::toupper(name[6]));
         extra.ofFluid[name] = amounts;
     }

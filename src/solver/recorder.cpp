@@ -43,7 +43,7 @@ void Recorder<Dim>::giveUp(const std::string& what, const StepFailure& failure, 
 template <int Dim>
 void Recorder<Dim>::start(const Controls& controls, State<Dim>& state, double dt) {
     const State<Dim> given = state;
-    if (!state.appeared.empty()) writeState(clock_.startFolder(), state, ledgerFields(state));
+    if (state.ledger.counting()) writeState(clock_.startFolder(), state, ledgerFields(state));
     try {
         startConsistently(problem_, controls, state, dt);
     } catch (const StepFailure& failure) {

@@ -24,7 +24,7 @@ public:
     /// UserError.
     void save(const State<Dim>& state);
 
-    /// startConsistently() and advance(). Where the ledger's fields are counted (State::appeared), the start's folder
+    /// startConsistently() and advance(). Where the ledger's fields are counted, the start's folder
     /// gets them too, zeros: ParaView offers the fields of the first time. When they fail for good, the last good state
     /// is written and the folder failed/, and a StepFailure tells the reason, the place and where both are.
     void start(const Controls& controls, State<Dim>& state, double dt);

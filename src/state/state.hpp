@@ -1,5 +1,6 @@
 #pragma once
-// All that a run knows at one instant; a time folder holds exactly this, but for `appeared`. Only nodes carry history,
+// All that a run knows at one instant; a time folder holds exactly this, but for the ledger's
+// fields. Only nodes carry history,
 // and with elemental integration the solid's cells (Cells::sigma), which last for the whole run.
 
 #include <map>
@@ -8,6 +9,8 @@
 
 #include "base/types.hpp"
 #include "mesh/mesh.hpp"
+#include "state/energyCauses.hpp"
+#include "state/volumeLedger.hpp"
 
 namespace pfem {
 
@@ -53,12 +56,9 @@ struct State {
     Id nextId = 0;        // the id of the next node to be inserted
     double approach = 0;  // how fast surfaces that are about to meet, or have just met, close: largest -div v of the
                           // triangles between [1/s]
-    std::map<std::string, double> ledger;  // cumulative fluid volume by cause [m2 (2D), m3]
-    /// For the eye (ledgerSolver, ...): the part of the ledger since the last time folder that each node has, by cause;
-    /// empty when nobody has asked. A run that goes on begins with zeros, for it begins with a time folder.
-    std::map<std::string, std::vector<double>> appeared;
-    std::map<std::string, double>
-        energy;  // cumulative, brought in beside the equations of motion, by cause [J/m (2D), J]
+    VolumeLedger ledger;  // cumulative fluid volume by cause; its fields, if any, are those since the last time folder:
+                          // a run that goes on begins with zeros, for it begins with a time folder
+    EnergyLedger energy;  // what came beside the equations of motion, by cause
     std::map<std::string, std::vector<double>> memory;  // of function objects, by their name
 };
 

@@ -27,16 +27,4 @@ double totalVolume(const State<Dim>& state) {
     return cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes) + dropVolume<Dim>(state);
 }
 
-/// Is the ledger's cause a gain or loss that something has to make up for? Neither is compression, nor what has been
-/// let go.
-inline bool isGainOrLoss(const std::string& cause) { return cause != "compression" && cause != "gone"; }
-
-/// What drops that have been let go have taken with them so far, negative: no change of volume that anything has to
-/// make up for.
-template <int Dim>
-double goneVolume(const State<Dim>& state) {
-    const auto gone = state.ledger.find("gone");
-    return gone == state.ledger.end() ? 0 : gone->second;
-}
-
 }  // namespace pfem

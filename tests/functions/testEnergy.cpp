@@ -2,7 +2,7 @@
 
 #include "caseFolder.hpp"
 #include "io/stateFiles.hpp"
-#include "solver/energyLedger.hpp"
+#include "solver/fluidEnergy.hpp"
 #include "support/cantilever.hpp"
 
 namespace pfem {
@@ -97,7 +97,7 @@ TEST(Energy, RemeshingAndVolumeStandApart) {
         const double first = storedEnergy<2>(c.problem, c.controls, c.state).total();
         while (c.state.time.value < 0.5 - 0.5 * dt) c.step(dt);
         const double lost = first - storedEnergy<2>(c.problem, c.controls, c.state).total();
-        const double apart = c.state.energy.at("remeshing") + c.state.energy.at("volume");
+        const double apart = c.state.energy[EnergyCause::remeshing] + c.state.energy[EnergyCause::volume];
         return std::pair(apart, lost + apart);  // the latter without viscosity, which is small
     };
     const auto [apartLong, numericalLong] = run(4e-3);

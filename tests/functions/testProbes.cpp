@@ -238,12 +238,12 @@ TEST_F(Functions, MistakesPrintTheValidWords) {
 TEST_F(Functions, MassLedgerAddsUp) {
     State<2> state = blocks(2);
     EXPECT_DOUBLE_EQ(totalVolume<2>(state), 1.0);
-    state.ledger = {{"contact", 0.5}};  // what the mesher left there does not count
+    state.ledger.takeFrom({{"contact", 0.5}});  // what the mesher left there does not count
     writeState(folder_.path() / "0", state);
     auto functions = make("mass { type massLedger; }");
     functions.start(state);
     for (auto& x : state.nodes.x) x[1] *= 1.02;  // 2 % more
-    state.ledger = {{"contact", 0.515}, {"insertion", -0.001}};
+    state.ledger.takeFrom({{"contact", 0.515}, {"insertion", -0.001}});
     state.time = {0.1, 1, 0.1, 0.1};
     functions.execute(state);
     const auto table = rows("mass/0/fluidVolume.dat");
@@ -273,7 +273,7 @@ TEST_F(Functions, MassLedgerOfAWindowGoesOnWhereTheRunBegan) {
         state.time = {0.1 * k, k, 0.1, 0.1};
         FunctionObjects<2> restarted(Case(folder_.path()), dict, timeName(state.time.value), 6, {}, state.time.value);
         restarted.start(state);
-        state.ledger = {{"contact", 0.01}};
+        state.ledger.takeFrom({{"contact", 0.01}});
         for (int i = k + 1; i <= 4; ++i) {
             state.time = {0.1 * i, i, 0.1, 0.1};
             restarted.execute(state);

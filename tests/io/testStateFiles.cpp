@@ -42,7 +42,7 @@ TEST(StateFiles, WithoutEnergy) {
     const auto begin = text.find("energy");
     text.erase(begin, text.find('}', begin) + 1 - begin);
     put(folder.path() / "0.3/uniform/time", text);
-    EXPECT_TRUE(readState<2>(folder.path() / "0.3").energy.empty());
+    EXPECT_TRUE(readState<2>(folder.path() / "0.3").energy.byName().empty());
 }
 
 // Nodal integration: no stress in cells.

@@ -27,7 +27,7 @@ std::string polygon(const Vec<2>& centre, double radius, int corners, double fir
 /// The ledger in parts of a volume.
 std::string shares(const State<2>& state, double volume) {
     std::ostringstream text;
-    for (const auto& [cause, amount] : state.ledger) text << "  " << cause << " " << amount / volume << "\n";
+    for (const auto& [cause, amount] : state.ledger.byName()) text << "  " << cause << " " << amount / volume << "\n";
     return text.str();
 }
 
@@ -160,7 +160,7 @@ TEST_P(Merging, isWithoutAJump) {
     std::cout << first / (h * h) << " h^2, largest step " << jump / (h * h) << " h^2, largest change " << change / first
               << "\n"
               << shares(c.state, first);
-    EXPECT_GT(c.state.ledger.at("contact"), 0);
+    EXPECT_GT(c.state.ledger[VolumeCause::contact], 0);
     EXPECT_LT(jump, h * h);
     if (first > 11000 * h * h) {
         EXPECT_LT(jump, 6e-5 * first);

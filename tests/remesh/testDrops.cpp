@@ -5,7 +5,6 @@
 
 #include <numeric>
 
-#include "remesh/appeared.hpp"
 #include "remesh/letGo.hpp"
 #include "remesh/remesh.hpp"
 #include "remesh/wallContact.hpp"
@@ -154,26 +153,27 @@ TEST(Drops, whatGoesIsInTheLedger) {
                  goes = c.state.nodes.id[addDrop(c.state, {0.5, -0.3}, {0, -1})];
         const double before = totalVolume<2>(c.state), sum = c.ledgerSum();
         const double lost = std::accumulate(c.state.nodes.lostVolume.begin(), c.state.nodes.lostVolume.end(), 0.0);
-        countAppeared(c.state);
-        auto ledger = c.state.ledger;
+        c.state.ledger.countFields(c.state.nodes.size());
+        const auto ledger = c.state.ledger;
         c.step(1e-3);
         EXPECT_GE(nodeOf(c.state.nodes, stays), 0);
         EXPECT_EQ(nodeOf(c.state.nodes, goes) < 0, letGo);
-        EXPECT_EQ(c.state.ledger.count("gone"), letGo ? 1u : 0u);
-        EXPECT_NEAR(goneVolume<2>(c.state), letGo ? -volume : 0, 1e-16);
+        EXPECT_EQ(c.state.ledger.has(VolumeCause::gone), letGo);
+        EXPECT_NEAR(c.state.ledger[VolumeCause::gone], letGo ? -volume : 0, 1e-16);
         EXPECT_NEAR(totalVolume<2>(c.state) - before, c.ledgerSum() - sum, 1e-14);
         // what nodes lack, cells, drops and what has gone: all that there was
         const auto& now = c.state.nodes.lostVolume;
-        EXPECT_NEAR(totalVolume<2>(c.state) + std::accumulate(now.begin(), now.end(), 0.0) - goneVolume<2>(c.state),
-                    before + lost, 1e-14);
-        for (const auto& [cause, amounts] : c.state.appeared)
+        EXPECT_NEAR(
+            totalVolume<2>(c.state) + std::accumulate(now.begin(), now.end(), 0.0) - c.state.ledger[VolumeCause::gone],
+            before + lost, 1e-14);
+        for (const auto& [cause, amounts] : c.state.ledger.fields())
             EXPECT_NEAR(std::accumulate(amounts.begin(), amounts.end(), 0.0), c.state.ledger[cause] - ledger[cause],
                         1e-14)
-                << cause;
-        EXPECT_EQ(c.state.appeared.count("gone"), letGo ? 1u : 0u);
-        countAppeared(c.state);
-        for (const auto& [cause, amounts] : c.state.appeared)
-            EXPECT_EQ(amounts, std::vector<double>(c.state.nodes.id.size(), 0.0)) << cause;
+                << textOf(cause).name;
+        EXPECT_EQ(c.state.ledger.fields().count(VolumeCause::gone), letGo ? 1u : 0u);
+        c.state.ledger.countFields(c.state.nodes.size());
+        for (const auto& [cause, amounts] : c.state.ledger.fields())
+            EXPECT_EQ(amounts, std::vector<double>(c.state.nodes.id.size(), 0.0)) << textOf(cause).name;
     }
 }
 

@@ -56,7 +56,7 @@ TEST(Remesh, meshAtRestKeepsItsCells) {
         EXPECT_EQ(report.removed, 0);
         EXPECT_EQ(c.state.nodes.id, nodes);
         EXPECT_NEAR(areaOf(c.state), area, 1e-14);
-        for (const auto& [cause, amount] : c.state.ledger) EXPECT_NEAR(amount, 0, 1e-14) << cause;
+        for (const auto& [cause, amount] : c.state.ledger.byName()) EXPECT_NEAR(amount, 0, 1e-14) << cause;
         const auto cells = cellsOf(c.state);
         remesh<2>(c.controls.remeshing, c.kinds(), c.state);
         EXPECT_EQ(cellsOf(c.state), cells);  // a fixed point
@@ -193,13 +193,13 @@ TEST(Walls, nodeThatCrossedAWallLandsOnIt) {
     const double moved = areaOf(c.state);
     MotionAccount<2> account(c.state);
     landOnWalls<2>(c.controls.remeshing, topology, old, c.state);
-    account.book("landed", c.state);
+    account.book(VolumeCause::landed, c.state);
     EXPECT_NEAR(c.state.nodes.x[i][1], 0, 1e-14);
     EXPECT_NEAR(c.state.nodes.x[i][0], 0.5, 1e-12);
     EXPECT_NEAR(c.state.nodes.v[i][0], 2, 1e-12);
     EXPECT_NEAR(c.state.nodes.v[i][1], 0, 1e-12);
     EXPECT_GE(c.state.nodes.wall[i], 0);
-    EXPECT_NEAR(c.state.ledger.at("landed"), areaOf(c.state) - moved, 1e-15);
+    EXPECT_NEAR(c.state.ledger[VolumeCause::landed], areaOf(c.state) - moved, 1e-15);
     EXPECT_NE(areaOf(c.state), before);
 }
 
@@ -213,11 +213,11 @@ TEST(Walls, nodeInASolidIsReturned) {
     const double moved = areaOf(c.state);
     MotionAccount<2> account(c.state);
     EXPECT_EQ(returnPenetrating<2>(topology, 0.05, c.state), 1);
-    account.book("returned", c.state);
+    account.book(VolumeCause::returned, c.state);
     EXPECT_NEAR(c.state.nodes.x[i][0], 0.4 - 0.05 * c.state.nodes.h[i], 1e-12);
     EXPECT_NEAR(c.state.nodes.v[i][0], 0, 1e-12);
     EXPECT_NEAR(c.state.nodes.v[i][1], 1, 1e-12);
-    EXPECT_NEAR(c.state.ledger.at("returned"), areaOf(c.state) - moved, 1e-15);
+    EXPECT_NEAR(c.state.ledger[VolumeCause::returned], areaOf(c.state) - moved, 1e-15);
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ TEST(Contact, twoBlocksMeet) {
                          rectangle(0.3 + gap, 0, 0.6 + gap, 0.3) + " } );",
                      water, "", {0, 0});
         remesh<2>(c.controls.remeshing, c.kinds(), c.state);
-        return c.state.ledger.at("contact") > 0;
+        return c.state.ledger[VolumeCause::contact] > 0;
     };
     EXPECT_FALSE(connects(0.04, 1));
     EXPECT_FALSE(connects(0.01, -1));

@@ -190,10 +190,10 @@ TEST(VolumeCorrection, noFasterThanWithinAStep) {
                           water, "tank { type slip; }");
     c.controls.continuity.volumeCorrectionTime = 1e-9;
     c.start(1e-3);
-    c.state.ledger["reshaped"] = -5e-5;  // a loss of the past
+    c.state.ledger.book(VolumeCause::reshaped, -5e-5);  // a loss of the past
     const double before = totalVolume<2>(c.state);
     c.step(1e-3);
-    EXPECT_NEAR(c.state.ledger.at("correction"), 5e-5, 1e-9);
+    EXPECT_NEAR(c.state.ledger[VolumeCause::correction], 5e-5, 1e-9);
     EXPECT_GT(totalVolume<2>(c.state), before);
     EXPECT_LT(totalVolume<2>(c.state), before + 6e-5);
 }

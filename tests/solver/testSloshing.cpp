@@ -59,7 +59,7 @@ Result run(double h, double dt, double endTime, double correctionTime, const cha
         t.push_back(c.state.time.value);
         y.push_back(firstMode(c));
         const double drift = c.ledgerSum() / volume;
-        const double raw = drift - c.state.ledger.at("correction") / volume;
+        const double raw = drift - c.state.ledger[VolumeCause::correction] / volume;
         r.drift = std::max(r.drift, std::abs(drift));
         r.rawDrift = std::max(r.rawDrift, std::abs(raw));
         EXPECT_NEAR(totalVolume<2>(c.state) - volume, c.ledgerSum(), 1e-12);
@@ -73,7 +73,7 @@ Result run(double h, double dt, double endTime, double correctionTime, const cha
               << " %), largest drift " << 100 * r.drift << " %, without correction's part " << 100 * r.rawDrift
               << " %, amplitude " << r.amplitude << ", in the last period " << r.late << ", iterations "
               << static_cast<double>(r.iterations) / steps << ", rejected " << r.rejected << "\n";
-    for (const auto& [cause, amount] : c.state.ledger)
+    for (const auto& [cause, amount] : c.state.ledger.byName())
         std::cout << "  " << cause << " " << 100 * amount / volume << " %\n";
     return r;
 }

@@ -155,10 +155,11 @@ TEST(ImpactAtStart, makesNoEnergyAndNoPressure) {
     const double p0 = largest(c.state.nodes.p);
     double energy = storedEnergy<2>(c.problem, c.controls, c.state).total();
     for (int n = 0; n < 3; ++n) {
-        const double broughtIn = c.state.energy["volume"] + c.state.energy["remeshing"];
+        const double broughtIn = c.state.energy[EnergyCause::volume] + c.state.energy[EnergyCause::remeshing];
         c.step(1e-3);
         const double now = storedEnergy<2>(c.problem, c.controls, c.state).total();
-        EXPECT_LT(now - energy, c.state.energy["volume"] + c.state.energy["remeshing"] - broughtIn + 1e-4 * energy)
+        EXPECT_LT(now - energy, c.state.energy[EnergyCause::volume] + c.state.energy[EnergyCause::remeshing] -
+                                    broughtIn + 1e-4 * energy)
             << n;
         energy = now;
         if (n == 0) {

@@ -67,9 +67,10 @@ void expectSameState(const State<2>& s, const State<2>& other, const Units& u) {
     expectScaled(s.nodes.dropVolume, other.nodes.dropVolume, area, "dropVolume");
     expectScaled(s.nodes.lostVolume, other.nodes.lostVolume, area, "lostVolume");
     EXPECT_EQ(other.approach, s.approach / u.time);
-    for (const auto& [cause, amount] : s.ledger) EXPECT_EQ(other.ledger.at(cause), area * amount) << cause;
-    for (const auto& [cause, amount] : s.energy)
-        EXPECT_EQ(other.energy.at(cause), u.pressure() * area * amount) << cause;
+    for (const auto& [cause, amount] : s.ledger.byName())
+        EXPECT_EQ(other.ledger.byName().at(cause), area * amount) << cause;
+    for (const auto& [cause, amount] : s.energy.byName())
+        EXPECT_EQ(other.energy.byName().at(cause), u.pressure() * area * amount) << cause;
 }
 
 double nextStep(const TestCase& c, const Units& u) {
@@ -103,7 +104,7 @@ TEST_P(UnitsOfTwo, leaveNoBitAsItWasNot) {
         o.step(others.time * dt);
         expectSameState(c.state, o.state, others);
     }
-    EXPECT_NE(c.state.ledger["contact"], 0);  // the drop and the column have struck
+    EXPECT_NE(c.state.ledger[VolumeCause::contact], 0);  // the drop and the column have struck
 }
 
 INSTANTIATE_TEST_SUITE_P(Walls, UnitsOfTwo, testing::Values("slip", "noSlip"));

@@ -37,11 +37,7 @@ struct TestCase {
         controls.convergence.tolU = controls.convergence.tolP = value;
         controls.convergence.maxIterations = maxIterations;
     }
-    double ledgerSum() const {
-        double sum = 0;
-        for (const auto& [cause, amount] : state.ledger) sum += amount;
-        return sum;
-    }
+    double ledgerSum() const { return state.ledger.sum(); }
 };
 
 /// From the text of system/meshDict, constant/materials and constant/boundaryConditions.

@@ -1,4 +1,4 @@
-#include "solver/energyLedger.hpp"
+#include "solver/fluidEnergy.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,5 @@
-#include "remesh/appeared.hpp"
+#include "remesh/passOn.hpp"
 
-#include "mesh/simplex.hpp"
 #include "remesh/heirs.hpp"
 
 namespace pfem {
@@ -18,15 +17,6 @@ std::vector<int> chosen(const std::vector<unsigned char>& marked) {
     for (std::size_t i = 0; i < marked.size(); ++i)
         if (marked[i]) result.push_back(static_cast<int>(i));
     return result;
-}
-
-/// sign |e|/(d+1) to each node of the cells.
-template <int Dim>
-void addCells(const std::vector<Simplex<Dim>>& cells, const Points<Dim>& x, double sign, std::vector<double>& amounts) {
-    for (const auto& cell : cells) {
-        const double part = sign * simplexMeasure<Dim>(x, cell) / (Dim + 1);
-        for (const int node : cell) amounts[node] += part;
-    }
 }
 
 /// Nodes that are written into fluid.vtu: of cells, and what is neither of a solid nor of a patch, drops and others.
@@ -74,42 +64,20 @@ std::vector<double> passedOn(const std::vector<double>& old, const std::vector<i
 }  // namespace
 
 template <int Dim>
-void countAppeared(State<Dim>& state) {
-    state.appeared.clear();
-    if (state.ledger.count("gone") > 0) state.appeared["gone"].assign(state.nodes.size(), 0.0);
-    for (const char* cause : {"solver", "correction", "compression", "surface", "released", "landed", "returned",
-                              "contact", "stretched", "reshaped", "isolated"})
-        state.appeared[cause].assign(state.nodes.size(), 0.0);
-}
-
-template <int Dim>
-void bookRemeshing(const MovedMesh<Dim>& moved, const std::vector<int>& newIndex, const Connectivity& selected,
-                   const std::vector<double>& reshaped, State<Dim>& state) {
-    const auto& x = state.nodes.x;
-    if (state.appeared.empty()) return;
-    const auto wet = nodesIn<Dim>(state.mesh.fluid.nodes, state.nodes.size());
-    const auto fluid = fluidNodes<Dim>(state, wet);
-    const auto left = legacies<Dim>(moved, newIndex, wet, fluid);
-    for (auto& [cause, amounts] : state.appeared) {
-        std::vector<double> booked(x.size(), 0.0);
-        if (cause == "contact") addCells<Dim>(selected.contacts, x, 1, booked);
-        if (cause == "stretched") addCells<Dim>(selected.stretchedCells, x, -1, booked);
-        if (cause == "released") addCells<Dim>(selected.releasedCells, x, -1, booked);
-        if (cause == "reshaped") booked = reshaped;
-        if (cause == "gone")
-            for (std::size_t i = 0; i < amounts.size(); ++i) amounts[i] -= moved.gone[i];
-        if (cause == "isolated") {
-            booked = state.nodes.dropVolume;
-            for (std::size_t i = 0; i < amounts.size(); ++i) amounts[i] -= moved.dropVolume[i];
+void postRemeshing(const MovedMesh<Dim>& moved, const std::vector<int>& newIndex, VolumeLedger sheet,
+                   State<Dim>& state) {
+    if (state.ledger.counting()) {
+        const auto wet = nodesIn<Dim>(state.mesh.fluid.nodes, state.nodes.size());
+        const auto fluid = fluidNodes<Dim>(state, wet);
+        const auto left = legacies<Dim>(moved, newIndex, wet, fluid);
+        for (const auto& [cause, amounts] : state.ledger.fields()) {
+            auto& booked = sheet.fields().at(cause);
+            booked = passedOn(amounts, newIndex, left, fluid, std::move(booked));
         }
-        amounts = passedOn(amounts, newIndex, left, fluid, std::move(booked));
     }
+    state.ledger.post(std::move(sheet));
 }
 
-#define PFEM_INSTANTIATE(D)                                                                           \
-    template void countAppeared<D>(State<D>&);                                                        \
-    template void bookRemeshing<D>(const MovedMesh<D>&, const std::vector<int>&, const Connectivity&, \
-                                   const std::vector<double>&, State<D>&);
-PFEM_INSTANTIATE(2)
+template void postRemeshing<2>(const MovedMesh<2>&, const std::vector<int>&, VolumeLedger, State<2>&);
 
 }  // namespace pfem
