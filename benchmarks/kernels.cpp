@@ -83,7 +83,7 @@ void Remeshing(benchmark::State& state) {
         Topology<2> topology = c.topology();
         state.ResumeTiming();
         benchmark::DoNotOptimize(
-            remesh<2>(c.controls.remeshing, c.kinds(), std::move(topology), 1e-4, triangulator, copy));
+            remesh<2>({c.controls.remeshing, c.kinds(), std::move(topology), 1e-4}, triangulator, copy));
     }
     perTriangle(state, c);
 }

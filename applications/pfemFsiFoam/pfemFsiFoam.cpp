@@ -37,6 +37,65 @@ Settings welcome(const Case& theCase, const RunLock& lock) {
     return settings;
 }
 
+/// The state of the start folder with what the dictionaries say of it.
+Simulation<2> readSimulation(const Case& theCase, const TimeControl& clock) {
+    Simulation<2> simulation;
+    simulation.state = readState<2>(clock.startFolder());
+    checkState(clock.startFolder(), simulation.state);
+    simulation.problem = readProblem(theCase, simulation.state);
+    simulation.controls = readControls(theCase);
+    checkLaws<2>(simulation.problem, simulation.controls.solid, pfemSolution(theCase));
+    simulation.nextTime = [&clock](const TimeInfo& time, double dt) { return clock.advance(time, dt); };
+    return simulation;
+}
+
+/// The function objects of controlDict.
+FunctionObjects<2> readFunctions(const Case& theCase, const TimeControl& clock, const TimeInfo& time) {
+    const auto resumeAt = time.index > 0 ? std::optional(time.value) : std::nullopt;
+    FunctionObjects<2> functions(theCase, clock.dictionary(), clock.startName(), clock.controls().writePrecision, {},
+                                 resumeAt);
+    warnUnused(clock.dictionary(), std::cerr);
+    return functions;
+}
+
+/// The volume at the beginning of the case.
+double firstVolume(const State<2>& state) {
+    double volume = totalVolume(state);
+    for (const auto& [cause, amount] : state.ledger.byName()) volume -= amount;
+    return volume;
+}
+
+/// The loop over time.
+void advance(TimeControl& clock, Simulation<2>& simulation, Recorder<2>& recorder, FunctionObjects<2>& functions) {
+    State<2>& state = simulation.state;
+    const double volume = firstVolume(state), elasticRate = elasticWaveRate(simulation.problem, state);
+    const double clockStart = clockNow(), timeStart = state.time.value;
+    RunSummary summary;
+    while (clock.running(state.time)) {
+        const CourantRate rate = courantRate(state);
+        const double dt = clock.deltaT(state.time, {.courant = rate.largest,
+                                                    .relative = rate.relative,
+                                                    .compression = rate.compression,
+                                                    .gravityWave = gravityWaveRate(simulation.problem, state),
+                                                    .elasticWave = elasticRate});
+        const AdvanceReport report = recorder.step(dt);
+        summary.add(report, state.mesh.fluid.size() + state.mesh.solid.size());
+        std::cout << courantLines(rate, report.dt) << "Time = " << clock.name(state.time) << "\n\n"
+                  << stepLines(report, state, volume);
+
+        const bool write = clock.writeDue(state.time);  // looks at controlDict first
+        functions.execute(state, [&](int n) { return clock.folderDue(state.time, n); });
+        state.memory = functions.memory();
+        if (write) {
+            recorder.save();
+            if (state.ledger.counting()) state.ledger.countFields(state.nodes.size());
+        }
+        const double done = (state.time.value - timeStart) / (clock.controls().endTime - timeStart);
+        std::cout << timeLines(cpuNow(), clockNow() - clockStart, done) << std::flush;
+    }
+    std::cout << summary.text(clockNow() - clockStart);
+}
+
 int run(const Options& options) {
     const Case theCase = options.openCase();
     std::cout << startBanner(options, theCase) << "Create time\n\n" << std::flush;
@@ -44,57 +103,21 @@ int run(const Options& options) {
     const Settings settings = welcome(theCase, lock);
     TimeControl clock(theCase);
     std::cout << "Create mesh for time = " << clock.startName() << "\n\n" << std::flush;
-    State<2> state = readState<2>(clock.startFolder());
-    checkState(clock.startFolder(), state);
-    const Problem<2> problem = readProblem(theCase, state);
-    const Controls controls = readControls(theCase);
-    checkLaws<2>(problem, controls.solid, pfemSolution(theCase));
-    const auto resumeAt = state.time.index > 0 ? std::optional(state.time.value) : std::nullopt;
-    FunctionObjects<2> functions(theCase, clock.dictionary(), clock.startName(), clock.controls().writePrecision, {},
-                                 resumeAt);
-    warnUnused(clock.dictionary(), std::cerr);
+    Simulation<2> simulation = readSimulation(theCase, clock);
+    State<2>& state = simulation.state;
+    FunctionObjects<2> functions = readFunctions(theCase, clock, state.time);
     keepSettings(theCase, settings);  // all of them have been accepted
 
-    double firstVolume = totalVolume(state);
-    for (const auto& [cause, amount] : state.ledger.byName()) firstVolume -= amount;
-    const bool counting = functions.wantAppeared();
-    if (counting) state.ledger.countFields(state.nodes.size());
-    Recorder<2> recorder(theCase, problem, clock, state);
-    if (state.time.index == 0) recorder.start(controls, state, clock.deltaT(state.time));
+    if (functions.wantAppeared()) state.ledger.countFields(state.nodes.size());
+    Recorder<2> recorder(theCase, clock, simulation);
+    if (state.time.index == 0) recorder.start(clock.deltaT(state.time));
     functions.start(state);
-
     if (clock.ended(state.time))
         std::cerr << "--> PFEM Warning: nothing to do: endTime is not after the start at " << state.time.value
                   << " s\n";
     std::cout << "Starting time loop\n\n" << std::flush;
-    RunSummary summary;
-    Triangulator triangulator;
-    const double elasticRate = elasticWaveRate(problem, state);
-    const double clockStart = clockNow(), timeStart = state.time.value;
-    while (clock.running(state.time)) {
-        const CourantRate rate = courantRate(state);
-        const double dt = clock.deltaT(state.time, {.courant = rate.largest,
-                                                    .relative = rate.relative,
-                                                    .compression = rate.compression,
-                                                    .gravityWave = gravityWaveRate(problem, state),
-                                                    .elasticWave = elasticRate});
-        const AdvanceReport report = recorder.advance(controls, triangulator, state, dt);
-        state.time = clock.advance(state.time, report.dt);
-        summary.add(report, state.mesh.fluid.size() + state.mesh.solid.size());
+    advance(clock, simulation, recorder, functions);
 
-        std::cout << courantLines(rate, report.dt) << "Time = " << clock.name(state.time) << "\n\n"
-                  << stepLines(report, state, firstVolume);
-        const bool write = clock.writeDue(state.time);  // looks at controlDict first
-        functions.execute(state, [&](int n) { return clock.folderDue(state.time, n); });
-        state.memory = functions.memory();
-        if (write) {
-            recorder.save(state);
-            if (counting) state.ledger.countFields(state.nodes.size());
-        }
-        const double done = (state.time.value - timeStart) / (clock.controls().endTime - timeStart);
-        std::cout << timeLines(cpuNow(), clockNow() - clockStart, done) << std::flush;
-    }
-    std::cout << summary.text(clockNow() - clockStart);
     if (const int signal = interrupted(); signal != 0) {
         std::cout << "Stopped by " << signalName(signal) << ", the state is written in the folder "
                   << clock.name(state.time) << ": start again to go on\n\n";

@@ -107,6 +107,8 @@ struct Triangulator::Kept : MovedTriangulation {};
 
 Triangulator::Triangulator() : kept_(std::make_unique<Kept>()) {}
 Triangulator::~Triangulator() = default;
+Triangulator::Triangulator(Triangulator&&) noexcept = default;
+Triangulator& Triangulator::operator=(Triangulator&&) noexcept = default;
 
 void Triangulator::follow(const Points<2>& points, const std::vector<Id>& ids, const std::vector<int>& active,
                           const std::vector<Face<2>>& fixed, const std::vector<Face<2>>& wished) {

@@ -21,6 +21,11 @@ class Triangulator {
 public:
     Triangulator();
     ~Triangulator();
+    /// A copy begins from nothing.
+    Triangulator(const Triangulator&) : Triangulator() {}
+    Triangulator& operator=(const Triangulator&) { return *this = Triangulator(); }
+    Triangulator(Triangulator&&) noexcept;
+    Triangulator& operator=(Triangulator&&) noexcept;
 
     /// `ids`: what the points are called, ascending; `active`: those that take part, ascending; of points that coincide
     /// one stands for all, in cells and in faces. `fixed`: faces that must appear (walls, solids). `wished`: faces that

@@ -180,14 +180,15 @@ bool isDistorted(double distortion, const Points<2>& x, const std::vector<Simple
 }
 
 template <int Dim>
-RemeshReport<Dim> remesh(const RemeshingControls& controls, const std::vector<PatchKind>& kinds, Topology<Dim> topology,
-                         double dt, Triangulator& triangulator, State<Dim>& state, const std::vector<int>& gone) {
-    MovedMesh<Dim> moved = movedMesh<Dim>(state, std::move(topology), gone);
+RemeshReport<Dim> remesh(RemeshTask<Dim> task, Triangulator& triangulator, State<Dim>& state) {
+    const RemeshingControls& controls = task.controls;
+    const std::vector<PatchKind>& kinds = task.kinds;
+    MovedMesh<Dim> moved = movedMesh<Dim>(state, std::move(task.topology), task.gone);
     joinDrops<Dim>(controls, moved, state);
     const double drops = std::accumulate(moved.dropVolume.begin(), moved.dropVolume.end(), 0.0);
-    bookGone(moved, gone, state);
+    bookGone(moved, task.gone, state);
     auto plan = planNodes<Dim>(controls, moved, state.nodes.h, keptNodes<Dim>(state.mesh, state.nodes.size()));
-    for (const int drop : gone) plan.removed[drop] = 1;
+    for (const int drop : task.gone) plan.removed[drop] = 1;
     for (std::size_t i = 0; i < moved.joins.size(); ++i)
         if (moved.joins[i] >= 0) plan.removed[i] = 1;
     const int material = state.mesh.fluid.material.empty() ? 0 : state.mesh.fluid.material[0];
@@ -202,7 +203,7 @@ RemeshReport<Dim> remesh(const RemeshingControls& controls, const std::vector<Pa
                                 surfaceFaces<Dim>(controls, plan, newIndex));
         },
         [&] {
-            candidates = candidateNodes(state, moved, newIndex, dt);
+            candidates = candidateNodes(state, moved, newIndex, task.dt);
             places.emplace(moved);
         });
     const auto selected =
@@ -226,7 +227,6 @@ RemeshReport<Dim> remesh(const RemeshingControls& controls, const std::vector<Pa
     return report;
 }
 
-template RemeshReport<2> remesh<2>(const RemeshingControls&, const std::vector<PatchKind>&, Topology<2>, double,
-                                   Triangulator&, State<2>&, const std::vector<int>&);
+template RemeshReport<2> remesh<2>(RemeshTask<2>, Triangulator&, State<2>&);
 
 }  // namespace pfem

@@ -22,21 +22,29 @@ struct RemeshReport : NodeChanges {
     std::vector<Simplex<Dim>> gaps;      // what may soon become one
 };
 
-/// Remove and insert nodes, triangulate with walls, solids and the free surface as constraints, select the fluid.
-/// `topology`: of the state's mesh; `dt`: length of the step that moved it; `triangulator`: has the last triangulation,
-/// or none. The volume's change by cause is added to state.ledger: "contact" (triangles accepted outside the moved old
-/// mesh), "stretched" and "released" (peeled off inside it), "reshaped" (partly covered triangles, removed
-/// surface nodes, overlaps), "isolated" (carried by particles without triangles), "gone" (with drops that are let go:
-/// `gone`).
+/// What a remeshing is to do.
 template <int Dim>
-RemeshReport<Dim> remesh(const RemeshingControls& controls, const std::vector<PatchKind>& kinds, Topology<Dim> topology,
-                         double dt, Triangulator& triangulator, State<Dim>& state, const std::vector<int>& gone = {});
+struct RemeshTask {
+    const RemeshingControls& controls;
+    const std::vector<PatchKind>& kinds;
+    Topology<Dim> topology;      // of the state's mesh
+    double dt = 0;               // length of the step that moved it [s]
+    std::vector<int> gone = {};  // drops that are let go
+};
+
+/// Remove and insert nodes, triangulate with walls, solids and the free surface as constraints, select the fluid.
+/// `triangulator`: has the last triangulation, or none. The volume's change is booked in state.ledger: by `contact`
+/// (triangles accepted outside the moved old mesh), `stretched` and `released` (peeled off inside it), `reshaped`
+/// (partly covered triangles, removed surface nodes, overlaps), `isolated` (carried by particles without triangles),
+/// `gone`.
+template <int Dim>
+RemeshReport<Dim> remesh(RemeshTask<Dim> task, Triangulator& triangulator, State<Dim>& state);
 
 /// The same when neither is at hand.
 template <int Dim>
 RemeshReport<Dim> remesh(const RemeshingControls& controls, const std::vector<PatchKind>& kinds, State<Dim>& state) {
     Triangulator triangulator;
-    return remesh<Dim>(controls, kinds, makeTopology<Dim>(state.mesh, kinds, state.nodes.wall), state.time.deltaT,
+    return remesh<Dim>({controls, kinds, makeTopology<Dim>(state.mesh, kinds, state.nodes.wall), state.time.deltaT},
                        triangulator, state);
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/advance.hpp"
+#include "solver/attempt.hpp"
 #include "solver/courantRate.hpp"
 
 namespace pfem {

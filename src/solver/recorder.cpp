@@ -13,7 +13,7 @@ template <int Dim>
 void Recorder<Dim>::save(const State<Dim>& state) {
     if (state.time.index == written_) return;
     series_.look();
-    writeState(clock_.folder(state.time), state, outputFields(problem_, state));
+    writeState(clock_.folder(state.time), state, outputFields(simulation_.problem, state));
     if (clock_.written(state.time))
         series_.write();
     else
@@ -28,7 +28,7 @@ void Recorder<Dim>::giveUp(const std::string& what, const StepFailure& failure, 
     try {
         save(last);
         const auto* step = dynamic_cast<const FailedStep<Dim>*>(&failure);
-        text += writeFailed(case_.root(), problem_, step ? *step : FailedStep<Dim>(failure, last), last) +
+        text += writeFailed(case_.root(), simulation_.problem, step ? *step : FailedStep<Dim>(failure, last), last) +
                 "\nThe folder failed/ shows it (ParaView: failed/failed.pvd, flag 'failed').\n"
                 "The last good state is in the folder " +
                 name_ + ".";
@@ -41,27 +41,26 @@ void Recorder<Dim>::giveUp(const std::string& what, const StepFailure& failure, 
 }
 
 template <int Dim>
-void Recorder<Dim>::start(const Controls& controls, State<Dim>& state, double dt) {
-    const State<Dim> given = state;
-    if (state.ledger.counting()) writeState(clock_.startFolder(), state, ledgerFields(state));
+void Recorder<Dim>::start(double dt) {
+    const State<Dim> given = simulation_.state;
+    if (given.ledger.counting()) writeState(clock_.startFolder(), given, ledgerFields(given));
     try {
-        startConsistently(problem_, controls, state, dt);
+        simulation_.start(dt);
     } catch (const StepFailure& failure) {
         giveUp("The pressure at the start cannot be computed", failure, given);
     }
 }
 
 template <int Dim>
-AdvanceReport Recorder<Dim>::advance(const Controls& controls, Triangulator& triangulator, State<Dim>& state,
-                                     double dt) {
+AdvanceReport Recorder<Dim>::step(double dt) {
     try {
-        return pfem::advance(problem_, controls, triangulator, state, dt);
+        return simulation_.step(dt);
     } catch (const StepFailure& failure) {
         giveUp(fmt::format("The step after t = {} s failed with deltaT = {:.3g} s and all its halvings",
-                           state.time.value, dt),
-               failure, state);
+                           simulation_.state.time.value, dt),
+               failure, simulation_.state);
     } catch (const std::exception&) {
-        save(state);
+        save();
         throw;
     }
 }

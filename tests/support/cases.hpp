@@ -10,28 +10,18 @@
 #include "mesh/simplex.hpp"
 #include "mesher/mesher.hpp"
 #include "mesher/readMeshDict.hpp"
-#include "solver/advance.hpp"
 #include "solver/courantRate.hpp"
+#include "solver/simulation.hpp"
 
 namespace pfem::test {
 
-struct TestCase {
-    State<2> state;
-    Problem<2> problem;
-    Controls controls;
-
+/// A simulation with what tests ask of it.
+struct TestCase : Simulation<2> {
     const std::vector<PatchKind>& kinds() const { return problem.conditions.kind; }
     Topology<2> topology() const { return makeTopology<2>(state.mesh, kinds(), state.nodes.wall); }
     NodeConstraints<2> constraints(const Topology<2>& topology) const {
         return nodeConstraints<2>(state.mesh, problem.conditions, topology, state.nodes, state.time.value,
                                   state.time.value);
-    }
-    void start(double dt) { startConsistently<2>(problem, controls, state, dt); }
-    AdvanceReport step(double dt) {
-        const auto report = advance<2>(problem, controls, state, dt);
-        state.time.value += report.dt;
-        ++state.time.index;
-        return report;
     }
     void tolerance(double value, int maxIterations = 200) {
         controls.convergence.tolU = controls.convergence.tolP = value;

@@ -1,0 +1,109 @@
+#include "solver/attempt.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "continuity/compression.hpp"
+#include "continuity/residual.hpp"
+#include "remesh/motionAccount.hpp"
+#include "solver/beginStep.hpp"
+#include "solver/fluidEnergy.hpp"
+#include "solver/invariants.hpp"
+#include "solver/remeshingRules.hpp"
+
+namespace pfem {
+
+namespace {
+
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+/// Divergence that brings the volume back to its first value within `time`, but no faster than within the step.
+template <int Dim>
+double volumeCorrection(const State<Dim>& state, double time, double dt) {
+    if (time == 0) return 0;
+    const double volume = totalVolume<Dim>(state);
+    return volume > 0 ? -state.ledger.gainsAndLosses() / (volume * std::max(time, dt)) : 0;
+}
+
+/// What a step is asked to give to each node's patch: a share of what the node lacks, and of the patch's volume.
+template <int Dim>
+std::vector<double> returnedVolume(const Topology<Dim>& topology, const State<Dim>& state, double ofLost,
+                                   double ofPatch) {
+    const auto& nodes = state.nodes;
+    std::vector<double> returned(nodes.size(), 0.0);
+    for (int i = 0; i < nodes.size(); ++i)
+        if (topology.wet(i)) returned[i] = ofLost * nodes.lostVolume[i];
+    if (ofPatch == 0) return returned;
+    for (const auto& cell : state.mesh.fluid.nodes)
+        for (const int i : cell) returned[i] += ofPatch * simplexMeasure<Dim>(nodes.x, cell) / (Dim + 1);
+    return returned;
+}
+
+/// Algorithm 1 but for its last line: the nodes move, the connectivity stays. `problem`: that of the step's end,
+/// `within`: that of the time at which the momentum equation holds.
+template <int Dim>
+Motion<Dim> move(const Problem<Dim>& problem, const Problem<Dim>& within, const Controls& controls,
+                 const State<Dim>& last, AdvanceReport& report, State<Dim>& state) {
+    Motion<Dim> motion;
+    motion.dt = report.dt;
+    motion.topology = beginStep<Dim>(problem, report.dt, state);
+    const Topology<Dim>& topology = motion.topology;
+    if (state.nodes.v != last.nodes.v)  // what has landed moves on as its wall allows
+        state.energy.book(EnergyCause::remeshing,
+                          fluidEnergy<Dim>(problem, state).total() - fluidEnergy<Dim>(problem, last).total());
+    const auto constraints = constraintsOver<Dim>(0, report.dt, problem, state, topology);
+
+    MotionAccount<Dim> account(state);
+    const double divTarget = volumeCorrection<Dim>(state, controls.continuity.volumeCorrectionTime, report.dt);
+    auto result = fsiStep<Dim>(within, controls, state.mesh, topology, constraints, state.nodes, report.dt, divTarget);
+    report.step = result.report;
+    motion.wallsOld = state.nodes.wall;
+    motion.returned = returnedVolume<Dim>(topology, state, report.dt * volumeReturnRate(controls.continuity, report.dt),
+                                          report.dt * divTarget);
+    state.energy.book(EnergyCause::volume,
+                      volumeEnergy<Dim>(problem, state.mesh.fluid, state.nodes, result.nodes, motion.returned));
+    motion.compressed = compressedVolume<Dim>(problem, state.mesh.fluid, topology.fluid, result.nodes, state.nodes.p);
+    motion.xOld = std::move(state.nodes.x);
+    state.nodes = std::move(result.nodes);
+    state.mesh.solid.sigma = std::move(result.cellSigma);
+    account.bookSolver(motion.returned, motion.compressed, state);
+    return motion;
+}
+
+}  // namespace
+
+template <int Dim>
+State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, Triangulator& triangulator,
+                   const State<Dim>& last, AdvanceReport& report) {
+    const double t = last.time.value;
+    const auto problem = problemAt<Dim>(t + report.dt, problemOfRun),
+               within = problemAt<Dim>(t + controls.timeIntegration.gamma * report.dt, problemOfRun);
+    State<Dim> state = last;
+    report.mesh = {};
+    const double start = now();
+    const Motion<Dim> motion = move<Dim>(problem, within, controls, last, report, state);
+    const double stepped = now();
+    report.seconds[0] += stepped - start;
+    const double allowed = allowedSpeed<Dim>(motion.topology, state.nodes);
+
+    try {
+        const auto outcome =
+            runRules<Dim>(remeshingRules<Dim>(), {problem, controls.remeshing, motion, triangulator}, state);
+        report.returned = outcome.returned;
+        if (outcome.connectivity) report.mesh = *outcome.connectivity;
+    } catch (const StepFailure& failure) {  // the new mesh is unfinished
+        throw FailedStep<Dim>(failure, withNodesOf<Dim>(last, state.nodes));
+    }
+    try {
+        checkInvariants<Dim>(controls.convergence, motion.topology, last, state);
+        checkSpeedGain<Dim>(allowed, state.nodes);
+    } catch (const StepFailure& failure) {
+        throw FailedStep<Dim>(failure, std::move(state));
+    }
+    report.seconds[1] += now() - stepped;
+    return state;
+}
+
+template State<2> attempt<2>(const Problem<2>&, const Controls&, Triangulator&, const State<2>&, AdvanceReport&);
+
+}  // namespace pfem

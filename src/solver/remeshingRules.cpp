@@ -1,0 +1,156 @@
+#include "solver/remeshingRules.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "mesh/standing.hpp"
+#include "remesh/giveWay.hpp"
+#include "remesh/letGo.hpp"
+#include "remesh/lostVolume.hpp"
+#include "remesh/motionAccount.hpp"
+#include "remesh/penetration.hpp"
+#include "remesh/wallContact.hpp"
+#include "solver/courantRate.hpp"
+#include "solver/fluidEnergy.hpp"
+#include "solver/impact.hpp"
+
+namespace pfem {
+
+namespace {
+
+/// Part of the lost volume for which the surface gives way in a step: all of it, but in steps of several periods of the
+/// shortest waves, where it would come back in turns (doc/decisions.md).
+template <int Dim>
+double surfaceShare(const Problem<Dim>& problem, double dt, const Nodes<Dim>& nodes) {
+    double h = std::numeric_limits<double>::max();
+    for (const double size : nodes.h) h = std::min(h, size);
+    return std::min(1.0, 10 * h / (problem.gravity.norm() * dt * dt));
+}
+
+/// The densest fluid of the case.
+template <int Dim>
+ViscousFluid heaviestFluid(const Problem<Dim>& problem) {
+    ViscousFluid result;
+    result.rho = 0;
+    for (const auto& material : problem.materials)
+        if (material.kind == MaterialKind::fluid && material.fluid.rho > result.rho) result = material.fluid;
+    return result;
+}
+
+template <int Dim>
+void followMovingWalls(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>&) {
+    standOnWalls(state.mesh, wallPatches(c.problem.conditions.kind), state.nodes);
+}
+
+template <int Dim>
+void makeUpAtSurface(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>&) {
+    const Motion<Dim>& m = c.motion;
+    giveWay<Dim>(c.controls, m.topology, m.returned, surfaceShare<Dim>(c.problem, m.dt, state.nodes), state);
+}
+
+template <int Dim>
+void release(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>&) {
+    releaseFromWalls<Dim>(c.controls, c.motion.topology, c.problem.gravity, heaviestFluid<Dim>(c.problem), c.motion.dt,
+                          state.nodes);
+}
+
+template <int Dim>
+void land(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>&) {
+    landOnWalls<Dim>(c.controls, c.motion.topology, c.motion.xOld, state);
+}
+
+template <int Dim>
+void putBack(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>& outcome) {
+    outcome.returned = returnPenetrating<Dim>(c.motion.topology, c.controls.wallDistance, state);
+}
+
+/// What all the motions have changed is taken from what the nodes lack; what pressure has taken is not lost.
+template <int Dim>
+void chargeNodes(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>&) {
+    for (int i = 0; i < state.nodes.size(); ++i) state.nodes.lostVolume[i] += c.motion.compressed[i];
+    chargeMotion<Dim>(c.motion.topology.fluid, state.mesh.fluid.nodes, c.motion.xOld, state.nodes);
+}
+
+template <int Dim>
+void findLeavers(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>& outcome) {
+    outcome.leaving = goneForGood<Dim>(c.motion.topology, c.problem.gravity, c.problem.conditions.anyMotion(), state);
+}
+
+template <int Dim>
+void reconnect(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>& outcome) {
+    const auto& kinds = c.problem.conditions.kind;
+    const bool sameWalls = c.motion.wallsOld == state.nodes.wall;
+    if (sameWalls && outcome.returned == 0 &&
+        !isDistorted(c.controls.distortion, state.nodes.x, state.mesh.fluid.nodes))
+        return;
+    auto topology =
+        sameWalls ? c.motion.topology : withWalls<Dim>(state.mesh, kinds, state.nodes.wall, c.motion.topology);
+    outcome.connectivity =
+        remesh<Dim>({c.controls, kinds, std::move(topology), c.motion.dt, outcome.leaving}, c.triangulator, state);
+}
+
+template <int Dim>
+void stopEachOther(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>& outcome) {
+    if (!outcome.connectivity) return;
+    const auto& [contacts, gaps] = std::tie(outcome.connectivity->contacts, outcome.connectivity->gaps);
+    const double met = closingRate<Dim>(state.nodes, contacts, c.controls.contactHeight);
+    strike<Dim>(c.problem, contacts, state);
+    state.approach = std::max(met, closingRate<Dim>(state.nodes, gaps, 0));
+}
+
+template <int Dim>
+bool wallsMove(const RemeshingContext<Dim>& c, const State<Dim>&) {
+    return c.problem.conditions.anyMotion();
+}
+
+template <int Dim>
+bool hasSolids(const RemeshingContext<Dim>&, const State<Dim>& state) {
+    return !state.mesh.solid.nodes.empty();
+}
+
+/// A gravity that turns could bring drops back.
+template <int Dim>
+bool dropsMayGo(const RemeshingContext<Dim>& c, const State<Dim>&) {
+    return c.controls.letGo && (!c.problem.gravityOverTime || c.problem.gravityOverTime->isConstant());
+}
+
+}  // namespace
+
+template <int Dim>
+const std::vector<RemeshingRule<Dim>>& remeshingRules() {
+    static const std::vector<RemeshingRule<Dim>> rules{
+        {"standOnWalls", {}, followMovingWalls<Dim>, wallsMove<Dim>},
+        {"giveWay", VolumeCause::surface, makeUpAtSurface<Dim>},
+        {"releaseFromWalls", VolumeCause::released, release<Dim>},
+        {"landOnWalls", VolumeCause::landed, land<Dim>},
+        {"returnPenetrating", VolumeCause::returned, putBack<Dim>, hasSolids<Dim>},
+        {"chargeMotion", {}, chargeNodes<Dim>},
+        {"letGo", {}, findLeavers<Dim>, dropsMayGo<Dim>},
+        {"remesh", {}, reconnect<Dim>},
+        {"strike", {}, stopEachOther<Dim>},
+    };
+    return rules;
+}
+
+template <int Dim>
+RemeshingOutcome<Dim> runRules(const std::vector<RemeshingRule<Dim>>& rules, const RemeshingContext<Dim>& context,
+                               State<Dim>& state) {
+    RemeshingOutcome<Dim> outcome;
+    MotionAccount<Dim> account(state);
+    const double energy = fluidEnergy<Dim>(context.problem, state).total();
+    for (const auto& rule : rules) {
+        if (rule.applies && !rule.applies(context, state)) continue;
+        rule.run(context, state, outcome);
+        if (rule.cause) account.book(*rule.cause, state);
+    }
+    state.energy.book(EnergyCause::remeshing, fluidEnergy<Dim>(context.problem, state).total() - energy);
+    return outcome;
+}
+
+#define PFEM_INSTANTIATE(D)                                                                                    \
+    template const std::vector<RemeshingRule<D>>& remeshingRules<D>();                                         \
+    template RemeshingOutcome<D> runRules<D>(const std::vector<RemeshingRule<D>>&, const RemeshingContext<D>&, \
+                                             State<D>&);
+PFEM_INSTANTIATE(2)
+
+}  // namespace pfem

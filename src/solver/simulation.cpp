@@ -1,0 +1,39 @@
+#include "solver/simulation.hpp"
+
+#include "solver/beginStep.hpp"
+#include "solver/invariants.hpp"
+
+namespace pfem {
+
+TimeInfo plainNextTime(const TimeInfo& time, double dt) { return {time.value + dt, time.index + 1, dt, dt}; }
+
+template <int Dim>
+void Simulation<Dim>::start(double dt) {
+    const auto topology = beginStep<Dim>(problem, dt, state);
+    const auto over = [&](double from, double to) { return constraintsOver<Dim>(from, to, problem, state, topology); };
+    state.nodes = consistentStart<Dim>(problemAt<Dim>(state.time.value, problem), controls, state.mesh, topology, over,
+                                       state.nodes, 1e-3 * dt);
+}
+
+template <int Dim>
+AdvanceReport Simulation<Dim>::step(double dt) {
+    AdvanceReport report;
+    const auto& limits = controls.convergence;
+    checkSpeed<Dim>(limits, state.nodes);
+    for (report.dt = dt;; report.dt *= 0.5) {
+        try {
+            State<Dim> next = attempt<Dim>(problem, controls, triangulator, state, report);
+            next.time = nextTime(state.time, report.dt);
+            state = std::move(next);
+            return report;
+        } catch (const StepFailure& failure) {  // the state stays as it was
+            ++report.rejected;
+            report.reasons.push_back(failure.what());
+            if (report.rejected > limits.maxHalvings || 0.5 * report.dt < limits.deltaTMin) throw;
+        }
+    }
+}
+
+template struct Simulation<2>;
+
+}  // namespace pfem
