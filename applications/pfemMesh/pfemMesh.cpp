@@ -15,7 +15,7 @@
 #include "mesher/meshFile.hpp"
 #include "mesher/meshReport.hpp"
 #include "mesher/readMeshDict.hpp"
-#include "momentum/boundaryConditions.hpp"
+#include "conditions/boundaryConditions.hpp"
 #include "solver/checkProblem.hpp"
 
 using namespace pfem;

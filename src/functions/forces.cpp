@@ -82,7 +82,7 @@ void Forces<Dim>::sortNames(const State<Dim>& state) {
     for (const auto& name : entries_.patches) {
         const int k = indexOf("patches", name, "patch", names);
         (isWall(problem_->conditions.kind[k]) ? walls_ : supports_).push_back(k);
-        if (problem_->conditions.kind[k] == PatchKind::traction)
+        if (problem_->conditions.type[k]->loads)
             dict_.fatal("patches", "'" + name + "' is a loaded edge: its force is known, and it bears nothing");
     }
     for (const auto& name : entries_.solids)

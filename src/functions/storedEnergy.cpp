@@ -40,7 +40,7 @@ EnergyPowers wallPower(const Problem<Dim>& problem, const Controls& controls, co
     }
     std::vector<int> clamped;
     for (std::size_t k = 0; k < state.mesh.patches.size(); ++k)
-        if (problem.conditions.kind[k] == PatchKind::clamped)
+        if (problem.conditions.type[k]->own == Hold::fixed)
             for (const auto& face : state.mesh.patches[k].faces)
                 clamped.insert(clamped.end(), face.begin(), face.end());
     std::sort(clamped.begin(), clamped.end());

@@ -9,16 +9,14 @@
 
 namespace pfem {
 
-/// What a patch does; said by constant/boundaryConditions.
+/// What the mesh must know of a patch; its type (conditions/patchType.hpp) says more.
 enum class PatchKind {
-    slipWall,    // rigid wall, fluid slides along it
-    noSlipWall,  // rigid wall, fluid sticks to it
-    clamped,     // nodes of a body that do not move
-    symmetry,    // nodes of a body that slide along the patch
-    traction     // loaded edge of a solid
+    wall,      // rigid: fluid nodes land on it and leave it
+    symmetry,  // a plane that cuts a body
+    edge       // of a solid
 };
 
-inline bool isWall(PatchKind kind) { return kind == PatchKind::slipWall || kind == PatchKind::noSlipWall; }
+inline bool isWall(PatchKind kind) { return kind == PatchKind::wall; }
 
 /// Which patches are walls.
 inline std::vector<bool> wallPatches(const std::vector<PatchKind>& kinds) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "mesh/standing.hpp"
+#include "walls/feet.hpp"
 #include "mesher/hilbertOrder.hpp"
 #include "mesher/wallLines.hpp"
 

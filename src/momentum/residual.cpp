@@ -8,7 +8,7 @@ template <int Dim>
 Points<Dim> tractionForce(const Mesh<Dim>& mesh, const BoundaryConditions<Dim>& conditions, const Points<Dim>& x) {
     Points<Dim> force(x.size(), Vec<Dim>::Zero());
     for (std::size_t n = 0; n < mesh.patches.size(); ++n) {
-        if (conditions.kind[n] != PatchKind::traction) continue;
+        if (!conditions.type[n]->loads) continue;
         for (const auto& face : mesh.patches[n].faces)
             for (int node : face) force[node] += conditions.traction[n] * (faceArea<Dim>(x, face).norm() / Dim);
     }

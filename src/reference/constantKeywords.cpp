@@ -2,9 +2,9 @@
 
 namespace pfem {
 
-// What material.cpp, setup.cpp and boundaryConditions.cpp read; a test compares the names.
+// What material.cpp and setup.cpp read; a test compares the names.
 std::vector<KeywordTable> constantKeywords() {
-    const std::string materials = "constant/materials", conditions = "constant/boundaryConditions";
+    const std::string materials = "constant/materials";
     const EntryDescription rho{"rho", "scalar", "kg/m3", "required", "density, of solids in the reference state",
                                "> 0"};
     const EntryDescription kappa{"kappa", "scalar", "Pa", "2100000000", "bulk modulus", "> 0"};
@@ -48,36 +48,6 @@ std::vector<KeywordTable> constantKeywords() {
          "Gravity.",
          {{"dimensions", "dimensions", "-", "optional", "checked: [0 1 -2 0 0 0 0]", ""},
           {"value", "vector of time", "m/s2", "required", "acceleration of gravity", ""}}},
-        {conditions,
-         "",
-         "One dictionary per wall and per named patch of system/meshDict.",
-         {{"type", "word", "-", "required",
-           "slip: fluid slides along the wall; noSlip: it sticks; clamped: the nodes do not move; symmetry: "
-           "they slide along the patch; "
-           "traction: a loaded edge of a solid",
-           "one of: slip noSlip clamped symmetry traction"},
-          {"traction", "vector of time", "Pa", "required for traction", "load per area", ""},
-          {"friction", "scalar", "-", "0",
-           "of a slip wall: shear stress rho c_f |u| u / 2; smooth walls 0.079 Re^(-1/4), Re with 4 times the depth",
-           ">= 0"},
-          {"motion", "dictionary", "-", "at rest", "how a wall or a clamped patch moves", ""}}},
-        {conditions,
-         "sideWalls",
-         "Walls in front of and behind a plane flow, with friction (2D). Under any name that no patch has.",
-         {{"width", "scalar", "m", "required", "their distance", "> 0"},
-          {"friction", "scalar", "-", "required",
-           "c_f of each, as of slip walls: force per volume - rho c_f |v| v / width", ">= 0"}}},
-        {conditions,
-         "motion",
-         "A rigid motion: a displacement, or a turn about a point that is displaced, or both. Values of time are "
-         "written as "
-         "OpenFOAM's: constant, table, tableFile, polynomial, sine, square, scale; also expression.",
-         {{"displacement", "vector of time", "m", "none", "from the place at time 0", ""},
-          {"velocity", "vector of time", "m/s", "none", "instead of displacement", ""},
-          {"angle", "scalar of time", "rad", "none", "of the turn since time 0, counter-clockwise", ""},
-          {"omega", "scalar of time", "rad/s", "none", "instead of angle", ""},
-          {"origin", "vector", "m", "required for a turn", "the point that is turned about, at time 0", ""},
-          {"axis", "vector", "-", "(0 0 1)", "of the turn", ""}}},
     };
 }
 

@@ -24,9 +24,10 @@ std::vector<KeywordTable> keywordTables();
 std::string keywordPage();
 
 // Its parts.
-std::vector<KeywordTable> systemKeywords();    // controlDict, pfemSolution
-std::vector<KeywordTable> functionKeywords();  // controlDict.functions, one table per type
-std::vector<KeywordTable> meshKeywords();      // meshDict
-std::vector<KeywordTable> constantKeywords();  // materials, g, boundaryConditions
+std::vector<KeywordTable> systemKeywords();     // controlDict, pfemSolution
+std::vector<KeywordTable> functionKeywords();   // controlDict.functions, one table per type
+std::vector<KeywordTable> meshKeywords();       // meshDict
+std::vector<KeywordTable> constantKeywords();   // materials, g
+std::vector<KeywordTable> conditionKeywords();  // boundaryConditions, by the types of patches
 
 }  // namespace pfem

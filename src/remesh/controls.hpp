@@ -2,6 +2,7 @@
 // What a user may set of the remeshing, in system/pfemSolution.
 
 #include "dictionary/entries.hpp"
+#include "walls/controls.hpp"
 
 namespace pfem {
 
@@ -19,10 +20,7 @@ struct RemeshingControls {
     double removeDistanceFilm = 0.25;
     double removeHeight = 0.3;
     double insertDistance = 1.7;
-    double wallDistance = 0.05;
-    double landingDistance = 0.1;
-    double wallTension = 1;
-    double cornerDistance = 0.2;
+    WallControls walls;
     bool keepSurface = true;
     double distortion = 0;
     double surfaceShift = 0.05;
@@ -55,13 +53,7 @@ struct RemeshingControls {
           "up the time step and the iteration",
           nonNegative);
         v("insertDistance", insertDistance, "-", "edge / h above which a node is inserted", positive);
-        v("wallDistance", wallDistance, "-", "distance / h to which a node that entered a solid is returned", positive);
-        v("landingDistance", landingDistance, "-",
-          "distance / h at which a fluid node that approaches a rigid wall lands on it and slides along", nonNegative);
-        v("cornerDistance", cornerDistance, "-",
-          "distance / h at which a node that slides into a corner of the walls is removed", nonNegative);
-        v("wallTension", wallTension, "-",
-          "suction / (rho (g h + v^2/2) + mu v/h) at which the contact line lets go of a rigid wall", nonNegative);
+        walls.entries(v);
         v("keepSurface", keepSurface, "-",
           "the moved free surface constrains the triangulation: only contacts and breaks change the volume", any);
         v("surfaceShift", surfaceShift, "-",

@@ -5,7 +5,7 @@
 
 #include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
-#include "remesh/wallContact.hpp"
+#include "walls/corners.hpp"
 
 namespace pfem {
 
@@ -64,7 +64,7 @@ private:
     }
 
     bool isNear(int i, int corner) const {
-        return !locked_[i] && (moved_.x[i] - moved_.x[corner]).norm() <= controls_.cornerDistance * h_[i];
+        return !locked_[i] && (moved_.x[i] - moved_.x[corner]).norm() <= controls_.walls.cornerDistance * h_[i];
     }
 
     void remove(int i) {

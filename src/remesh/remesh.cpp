@@ -7,13 +7,13 @@
 
 #include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
-#include "mesh/standing.hpp"
 #include "remesh/connectivity.hpp"
 #include "remesh/heirs.hpp"
 #include "remesh/joinDrops.hpp"
 #include "remesh/lostVolume.hpp"
 #include "remesh/nodeControl.hpp"
 #include "remesh/passOn.hpp"
+#include "walls/feet.hpp"
 
 namespace pfem {
 

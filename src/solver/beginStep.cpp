@@ -1,6 +1,6 @@
 #include "solver/beginStep.hpp"
 
-#include "mesh/standing.hpp"
+#include "walls/feet.hpp"
 
 namespace pfem {
 

@@ -71,7 +71,7 @@ void checkMotions(const Dictionary& dict, const BoundaryConditions<Dim>& conditi
     if (!conditions.anyMotion()) return;
     std::map<int, std::size_t> patchOf;
     for (std::size_t k = 0; k < mesh.patches.size(); ++k) {
-        if (!isWall(conditions.kind[k]) && conditions.kind[k] != PatchKind::clamped) continue;
+        if (!conditions.type[k]->mayMove) continue;
         for (const auto& face : mesh.patches[k].faces)
             for (int node : face) {
                 const std::size_t other = patchOf.emplace(node, k).first->second;
@@ -105,12 +105,15 @@ void checkConditions(const Dictionary& dict, const BoundaryConditions<Dim>& cond
     for (std::size_t k = 0; k < roles.size(); ++k) {
         const std::string& name = state.mesh.patches[k].name;
         const Dictionary& entry = dict.subDict(name);
-        const PatchKind kind = conditions.kind[k];
-        if (isWall(kind) && roles[k].onSolid)
-            entry.fatal("type", "'" + name + "' is the edge of a solid: it can be clamped, symmetry or traction");
-        if (!isWall(kind) && roles[k].wall)
-            entry.fatal("type", "'" + name + "' is a rigid wall: it can be slip or noSlip");
-        if ((kind == PatchKind::clamped || kind == PatchKind::traction) && roles[k].offSolid)
+        const PatchType& type = *conditions.type[k];
+        const auto list = [&](bool walls) {
+            return typeList([&](const PatchType& t) { return isWall(t.kind) == walls; }, " or ");
+        };
+        if (isWall(type.kind) && roles[k].onSolid)
+            entry.fatal("type", "'" + name + "' is the edge of a solid: it can be " + list(false));
+        if (!isWall(type.kind) && roles[k].wall)
+            entry.fatal("type", "'" + name + "' is a rigid wall: it can be " + list(true));
+        if (type.onlyOfSolids && roles[k].offSolid)
             entry.fatal("type", "'" + name + "' is not the edge of a solid: only solids can be clamped or loaded");
     }
     checkMotions<Dim>(dict, conditions, state.mesh);

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "conditions/constraints.hpp"
 #include "mesh/adjacency.hpp"
 #include "mesh/simplex.hpp"
-#include "momentum/boundaryConditions.hpp"
 #include "momentum/mass.hpp"
 #include "solver/inelastic.hpp"
 

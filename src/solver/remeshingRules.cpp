@@ -3,16 +3,17 @@
 #include <algorithm>
 #include <limits>
 
-#include "mesh/standing.hpp"
 #include "remesh/giveWay.hpp"
 #include "remesh/letGo.hpp"
 #include "remesh/lostVolume.hpp"
 #include "remesh/motionAccount.hpp"
-#include "remesh/penetration.hpp"
-#include "remesh/wallContact.hpp"
 #include "solver/courantRate.hpp"
 #include "solver/fluidEnergy.hpp"
 #include "solver/impact.hpp"
+#include "walls/feet.hpp"
+#include "walls/landing.hpp"
+#include "walls/penetration.hpp"
+#include "walls/release.hpp"
 
 namespace pfem {
 
@@ -50,18 +51,18 @@ void makeUpAtSurface(const RemeshingContext<Dim>& c, State<Dim>& state, Remeshin
 
 template <int Dim>
 void release(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>&) {
-    releaseFromWalls<Dim>(c.controls, c.motion.topology, c.problem.gravity, heaviestFluid<Dim>(c.problem), c.motion.dt,
-                          state.nodes);
+    releaseFromWalls<Dim>(c.controls.walls, c.motion.topology, c.problem.gravity, heaviestFluid<Dim>(c.problem),
+                          c.motion.dt, state.nodes);
 }
 
 template <int Dim>
 void land(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>&) {
-    landOnWalls<Dim>(c.controls, c.motion.topology, c.motion.xOld, state);
+    landOnWalls<Dim>(c.controls.walls, c.motion.topology, c.motion.xOld, state);
 }
 
 template <int Dim>
 void putBack(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>& outcome) {
-    outcome.returned = returnPenetrating<Dim>(c.motion.topology, c.controls.wallDistance, state);
+    outcome.returned = returnPenetrating<Dim>(c.motion.topology, c.controls.walls.wallDistance, state);
 }
 
 /// What all the motions have changed is taken from what the nodes lack; what pressure has taken is not lost.

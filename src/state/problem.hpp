@@ -1,8 +1,8 @@
 #pragma once
 // Physics and boundary conditions; gravity and tractions may depend on time.
 
+#include "conditions/constraints.hpp"
 #include "material/material.hpp"
-#include "momentum/boundaryConditions.hpp"
 #include "state/state.hpp"
 
 namespace pfem {

@@ -70,7 +70,7 @@ TEST(Adjacency, boundaryFacesHaveTheirCellOnTheLeft) {
 }
 
 TEST(Topology, kindsOfFaces) {
-    const auto t = makeTopology<2>(layers(), {PatchKind::slipWall}, std::vector<int>(11, -1));
+    const auto t = makeTopology<2>(layers(), {PatchKind::wall}, std::vector<int>(11, -1));
     const auto kinds = facesOf(t);
     EXPECT_EQ(kinds.size(), 6u);
     EXPECT_EQ(kinds.at({3, 4}), FaceKind::interface);
@@ -82,7 +82,7 @@ TEST(Topology, kindsOfFaces) {
 }
 
 TEST(Topology, rolesOfNodes) {
-    const auto t = makeTopology<2>(layers(), {PatchKind::slipWall}, std::vector<int>(11, -1));
+    const auto t = makeTopology<2>(layers(), {PatchKind::wall}, std::vector<int>(11, -1));
     const auto is = [](const auto& flag) {
         std::vector<int> nodes;
         for (int i = 0; i < 11; ++i)
@@ -106,7 +106,7 @@ TEST(Topology, facesOfSlidingNodes) {
     mesh.fluid.material.assign(3, 0);
     mesh.patches = {{"outlet", {{7, 8}}}, {"tank", {{0, 4}, {4, 5}}}};
     const std::vector<int> wall = {-1, 1, 1, -1, -1, -1, 2, -1, -1};  // counted over all patches
-    const auto t = makeTopology<2>(mesh, {PatchKind::symmetry, PatchKind::slipWall}, wall);
+    const auto t = makeTopology<2>(mesh, {PatchKind::symmetry, PatchKind::wall}, wall);
     const auto kinds = facesOf(t);
     EXPECT_EQ(kinds.size(), 5u);
     EXPECT_EQ(kinds.at({1, 2}), FaceKind::wall);
@@ -118,7 +118,7 @@ TEST(Topology, facesOfSlidingNodes) {
     EXPECT_FALSE(t.isolated(0));  // a dry corner
     mesh.fluid.nodes = {{2, 6, 3}};
     mesh.fluid.material = {0};
-    const auto across = facesOf(makeTopology<2>(mesh, {PatchKind::symmetry, PatchKind::slipWall}, wall));
+    const auto across = facesOf(makeTopology<2>(mesh, {PatchKind::symmetry, PatchKind::wall}, wall));
     EXPECT_EQ(across.at({2, 6}), FaceKind::freeSurface);  // two walls: across the corner, not along a wall
 }
 
@@ -160,7 +160,7 @@ TEST(Topology, faceOnASymmetryPatchIsClosed) {
     const auto kinds = facesOf(makeTopology<2>(mesh, {PatchKind::symmetry}, {-1, -1, -1}));
     EXPECT_EQ(kinds.at({0, 1}), FaceKind::wall);
     EXPECT_EQ(kinds.at({1, 2}), FaceKind::freeSurface);
-    const auto clamped = facesOf(makeTopology<2>(mesh, {PatchKind::clamped}, {-1, -1, -1}));
+    const auto clamped = facesOf(makeTopology<2>(mesh, {PatchKind::edge}, {-1, -1, -1}));
     EXPECT_EQ(clamped.at({0, 1}), FaceKind::freeSurface);
 }
 

@@ -68,14 +68,16 @@ TEST(BoundaryConditions, patternsAreForPatchesWithoutAnEntryOfTheirOwn) {
         "wallFloor { type slip; friction 0.1; } \".*\" { type clamped; } \"wall.*\" { type noSlip; } \"wall(Left|Up)\" "
         "{ type slip; }"
         "\"roof.*\" { type slip; } panes { type sideWalls; width 1; friction 0.5; }");
-    EXPECT_EQ(kinds.kind, (std::vector<PatchKind>{PatchKind::slipWall, PatchKind::noSlipWall, PatchKind::slipWall,
-                                                  PatchKind::clamped}));
+    std::vector<std::string> types;
+    for (const auto* type : kinds.type) types.push_back(type->name);
+    EXPECT_EQ(types, (std::vector<std::string>{"slip", "noSlip", "slip", "clamped"}));
+    EXPECT_EQ(kinds.kind, (std::vector<PatchKind>{PatchKind::wall, PatchKind::wall, PatchKind::wall, PatchKind::edge}));
     EXPECT_EQ(kinds.friction[2], 0.1);
     EXPECT_EQ(kinds.friction[0], 0);
     EXPECT_EQ(kinds.sideFriction, 0.5);
     EXPECT_EQ(unused, std::vector<std::string>{"roof.*"});
     // the last pattern wins; each patch has a motion of its own
-    EXPECT_EQ(read("\"wall.*\" { type noSlip; } \".*\" { type clamped; }").first.kind[0], PatchKind::clamped);
+    EXPECT_EQ(read("\"wall.*\" { type noSlip; } \".*\" { type clamped; }").first.type[0]->name, "clamped");
     const auto moved =
         read("base { type clamped; } \"wall.*\" { type slip; motion { velocity (1 0 0); } }").first.motion;
     EXPECT_TRUE(moved[0] && moved[1] && moved[2] && !moved[3]);

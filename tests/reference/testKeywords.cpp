@@ -9,11 +9,11 @@
 #include <set>
 #include <sstream>
 
+#include "conditions/boundaryConditions.hpp"
 #include "dictionary/node.hpp"
 #include "functions/functionObject.hpp"
 #include "material/material.hpp"
 #include "mesher/readMeshDict.hpp"
-#include "momentum/boundaryConditions.hpp"
 
 using namespace pfem;
 
@@ -104,7 +104,7 @@ TEST(Keywords, ConstantIsComplete) {
     std::vector<Patch<2>> patches;
     for (const char* name : {"a", "b", "c", "d", "e"}) patches.push_back({name, {}});
     readBoundaryConditions<2>(conditions, patches);
-    expectDocumented(*conditions.node(), names(constantKeywords()), {"a", "b", "c", "d", "e", "f", "FoamFile"});
+    expectDocumented(*conditions.node(), names(conditionKeywords()), {"a", "b", "c", "d", "e", "f", "FoamFile"});
 }
 
 TEST(Keywords, FunctionsAreComplete) {

@@ -7,7 +7,7 @@
 
 #include "remesh/letGo.hpp"
 #include "remesh/remesh.hpp"
-#include "remesh/wallContact.hpp"
+#include "walls/landing.hpp"
 #include "support/cases.hpp"
 
 using namespace pfem;

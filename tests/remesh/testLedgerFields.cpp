@@ -6,7 +6,7 @@
 #include "io/nodeSets.hpp"
 #include "io/sampleState.hpp"
 #include "io/stateFiles.hpp"
-#include "mesh/standing.hpp"
+#include "walls/feet.hpp"
 #include "solver/outputFields.hpp"
 #include "support/cases.hpp"
 

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "remesh/motionAccount.hpp"
-#include "remesh/penetration.hpp"
-#include "remesh/wallContact.hpp"
+#include "walls/penetration.hpp"
+#include "walls/landing.hpp"
 #include "support/cases.hpp"
 
 using namespace pfem;

@@ -25,7 +25,7 @@ TestCase channel(const std::string& law, const std::string& integration, double 
     c.controls.integration.integration = integration;
     c.controls.convergence.accelerationDepth = 5;
     c.controls.convergence.maxIterations = 60;
-    c.controls.remeshing.wallTension = 1e3;  // it hangs on its walls
+    c.controls.remeshing.walls.wallTension = 1e3;  // it hangs on its walls
     return c;
 }
 

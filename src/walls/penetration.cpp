@@ -1,11 +1,10 @@
-#include "remesh/penetration.hpp"
+#include "walls/penetration.hpp"
 
 #include <limits>
 
 #include "mesh/distance.hpp"
 #include "mesh/locator.hpp"
 #include "mesh/simplex.hpp"
-#include "remesh/movedMesh.hpp"
 
 namespace pfem {
 

@@ -1,5 +1,5 @@
 #pragma once
-// Walls that stand on other walls: the foot of a piston or of a gate on the floor.
+// T-junctions: walls that stand on other walls: the foot of a piston or of a gate on the floor.
 
 #include "mesh/topology.hpp"
 #include "state/state.hpp"
@@ -19,5 +19,18 @@ bool leaveFeet(const Topology<2>& topology, const Points<2>& v, State<2>& state)
 /// Free ends of walls that move along their own face, as the lower edge of a gate does that is being lifted. They
 /// would drag the fluid along; as long as they move so, they are no nodes of its mesh.
 std::vector<int> looseEnds(const Mesh<2>& mesh, const std::vector<bool>& isWall, const Nodes<2>& nodes);
+
+/// Feet of other walls, which nothing that slides on the same face can pass.
+class Feet {
+public:
+    Feet(const Topology<2>& topology, const Nodes<2>& nodes);
+
+    /// Where on face w a node stops that was at xOld and has come to s.
+    double stop(const Topology<2>& topology, int w, const Points<2>& xOld, const Nodes<2>& nodes, int i,
+                double s) const;
+
+private:
+    std::vector<int> feet_;
+};
 
 }  // namespace pfem

@@ -1,43 +1,10 @@
 #pragma once
-// What the patches mean for the momentum equation: constant/boundaryConditions.
+// How patches hold nodes in a step.
 
-#include <algorithm>
-#include <vector>
-
-#include "dictionary/dictionary.hpp"
-#include "mesh/topology.hpp"
-#include "momentum/wallMotion.hpp"
+#include "conditions/boundaryConditions.hpp"
 #include "state/state.hpp"
 
 namespace pfem {
-
-/// One entry per patch of the mesh.
-template <int Dim>
-struct BoundaryConditions {
-    std::vector<PatchKind> kind;
-    std::vector<Vec<Dim>> traction;  // [Pa]; traction patches only, at the time in question
-    std::vector<Function1Ptr<Eigen::Vector3d>> tractionOverTime;  // null: it stays as it is
-    std::vector<std::shared_ptr<const WallMotion>> motion;        // null: at rest; walls and clamped patches only
-
-    std::vector<double> friction;  // c_f of slip walls [-], see momentum/wallFriction.hpp
-    double sideFriction = 0;       // (2D) c_f over the distance of the two walls in front and behind [1/m]
-
-    bool anyMotion() const {
-        return std::any_of(motion.begin(), motion.end(), [](const auto& m) { return m != nullptr; });
-    }
-};
-
-/// Read the condition of every patch: of the entry with its name, else of the last pattern that matches it. Throws
-/// UserError for patches without entry, an entry without patch, and unknown types.
-template <int Dim>
-BoundaryConditions<Dim> readBoundaryConditions(const Dictionary& dict, const std::vector<Patch<Dim>>& patches);
-
-/// How a node may move.
-enum class Hold : unsigned char {
-    free,
-    fixed,  // clamped, or stuck to a rigid wall
-    slide   // only perpendicular to its normal
-};
 
 template <int Dim>
 struct NodeConstraints {

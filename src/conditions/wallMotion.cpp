@@ -1,4 +1,4 @@
-#include "momentum/wallMotion.hpp"
+#include "conditions/wallMotion.hpp"
 
 #include <Eigen/Geometry>
 

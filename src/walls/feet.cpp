@@ -1,10 +1,11 @@
-#include "mesh/standing.hpp"
+#include "walls/feet.hpp"
 
 #include <cmath>
 #include <utility>
 
 #include "mesh/distance.hpp"
 #include "mesh/simplex.hpp"
+#include "walls/wallLine.hpp"
 
 namespace pfem {
 
@@ -72,6 +73,23 @@ std::vector<int> looseEnds(const Mesh<2>& mesh, const std::vector<bool>& isWall,
             }
         }
     return ends;
+}
+
+Feet::Feet(const Topology<2>& topology, const Nodes<2>& nodes) {
+    for (int i = 0; i < nodes.size(); ++i)
+        if (topology.corner[i] && nodes.wall[i] >= 0) feet_.push_back(i);
+}
+
+double Feet::stop(const Topology<2>& topology, int w, const Points<2>& xOld, const Nodes<2>& nodes, int i,
+                  double s) const {
+    for (int foot : feet_) {
+        if (nodes.wall[foot] != w) continue;
+        const WallLine now(nodes.x, topology.walls[w].nodes), before(xOld, topology.walls[w].nodes);
+        const double place = now.along(nodes.x[foot]);
+        const bool wasAfter = before.along(xOld[i]) >= before.along(xOld[foot]);
+        if ((s >= place) != wasAfter) s = place;
+    }
+    return s;
 }
 
 }  // namespace pfem

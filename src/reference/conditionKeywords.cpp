@@ -1,0 +1,37 @@
+#include "conditions/patchType.hpp"
+#include "reference/keywords.hpp"
+
+namespace pfem {
+
+// The types of patches with their entries; what wallMotion.cpp and boundaryConditions.cpp read beside, a test compares
+// the names.
+std::vector<KeywordTable> conditionKeywords() {
+    const std::string conditions = "constant/boundaryConditions";
+    std::string meanings;
+    for (const auto& type : patchTypes()) meanings += (meanings.empty() ? "" : "; ") + type.name + ": " + type.meaning;
+    std::vector<EntryDescription> rows{{"type", "word", "-", "required", meanings, oneOf(typeNames()).text}};
+    for (const auto& type : patchTypes()) rows.insert(rows.end(), type.entries.begin(), type.entries.end());
+    rows.push_back({"motion", "dictionary", "-", "at rest", "how a wall or a clamped patch moves", ""});
+    return {
+        {conditions, "", "One dictionary per wall and per named patch of system/meshDict.", rows},
+        {conditions,
+         "sideWalls",
+         "Walls in front of and behind a plane flow, with friction (2D). Under any name that no patch has.",
+         {{"width", "scalar", "m", "required", "their distance", "> 0"},
+          {"friction", "scalar", "-", "required",
+           "c_f of each, as of slip walls: force per volume - rho c_f |v| v / width", ">= 0"}}},
+        {conditions,
+         "motion",
+         "A rigid motion: a displacement, or a turn about a point that is displaced, or both. Values of time are "
+         "written as "
+         "OpenFOAM's: constant, table, tableFile, polynomial, sine, square, scale; also expression.",
+         {{"displacement", "vector of time", "m", "none", "from the place at time 0", ""},
+          {"velocity", "vector of time", "m/s", "none", "instead of displacement", ""},
+          {"angle", "scalar of time", "rad", "none", "of the turn since time 0, counter-clockwise", ""},
+          {"omega", "scalar of time", "rad/s", "none", "instead of angle", ""},
+          {"origin", "vector", "m", "required for a turn", "the point that is turned about, at time 0", ""},
+          {"axis", "vector", "-", "(0 0 1)", "of the turn", ""}}},
+    };
+}
+
+}  // namespace pfem
