@@ -39,24 +39,22 @@ const TestCase& column(int triangles) {
 }
 
 /// What a step has at its start.
-struct Step {
+struct StartOfStep {
     const TestCase& c;
     Topology<2> topology = c.topology();
     NodeConstraints<2> constraints = c.constraints(topology);
     const Nodes<2>& nodes = c.state.nodes;
     const Cells<2>& cells = c.state.mesh.fluid;
     double dt = 0.1 * nodes.h[0];
-    Patches<2> fluid = makePatches<2>(cells.nodes, topology.fluid, nodes.x);
-    std::vector<double> mu = std::vector<double>(cells.size(), 1e-3);
-    std::vector<double> tau = stabilisation<2>(c.problem, cells, fluid, mu, nodes.v, dt);
-    SolidDofs<2> noSolid = solidDofs<2>(topology.solid, constraints);
-    SymmetricMatrix noMatrix = symmetricPattern({});
+    FluidPhase<2> phase{c.problem, c.state.mesh, topology.fluid, nodes.x, nodes.v, Integration::nodal};
+    Patches<2>& fluid = phase.patches;
+    Stabilisation tau{stabilisation<2>(c.problem, cells, fluid, phase.mu, nodes.v, dt),
+                      projectedCells<2>(c.controls.continuity, c.problem, cells, topology, nodes)};
+    SolidBlock<2> noSolid{solidDofs<2>(topology.solid, constraints), symmetricPattern({})};
+    Step<2> step{c.problem, c.state.mesh, topology, constraints, nodes, {dt}};
+    Trial<2> trial = firstTrial<2>(step);
 
-    ContinuitySystem<2> system() const {
-        return {
-            c.problem,  c.controls.continuity, cells, topology, constraints, fluid, mu, tau, nodes.x, noSolid, noMatrix,
-            Newmark{dt}};
-    }
+    ContinuitySystem<2> system() const { return {step, c.controls.continuity, phase, tau, nodes.x, noSolid}; }
 };
 
 void perTriangle(benchmark::State& state, const TestCase& c) {
@@ -95,34 +93,33 @@ void TopologyOfStep(benchmark::State& state) {
 }
 
 void PatchesOfNodes(benchmark::State& state) {
-    Step s{column(static_cast<int>(state.range(0)))};
+    StartOfStep s{column(static_cast<int>(state.range(0)))};
     for (auto _ : state) updatePatches<2>(s.fluid, s.nodes.x);
     perTriangle(state, s.c);
 }
 
 void ViscousOperator(benchmark::State& state) {
-    const Step s{column(static_cast<int>(state.range(0)))};
+    const StartOfStep s{column(static_cast<int>(state.range(0)))};
     const std::vector<double> mu(s.nodes.size(), 1e-3);
     for (auto _ : state) benchmark::DoNotOptimize(viscousForce<2>(s.fluid, mu, s.nodes.v));
     perTriangle(state, s.c);
 }
 
 void ContinuityResidual(benchmark::State& state) {
-    const Step s{column(static_cast<int>(state.range(0)))};
+    const StartOfStep s{column(static_cast<int>(state.range(0)))};
     for (auto _ : state)
-        benchmark::DoNotOptimize(continuityResidual<2>(s.c.problem, s.c.controls.continuity, s.cells, s.topology,
-                                                       s.fluid, s.mu, s.tau, s.nodes, s.nodes, s.dt, 0));
+        benchmark::DoNotOptimize(continuityResidual<2>(s.step, s.c.controls.continuity, s.phase, s.tau, s.trial));
     perTriangle(state, s.c);
 }
 
 void PressureMatrix(benchmark::State& state) {  // assembly, ordering, factor
-    const Step s{column(static_cast<int>(state.range(0)))};
+    const StartOfStep s{column(static_cast<int>(state.range(0)))};
     for (auto _ : state) benchmark::DoNotOptimize(s.system());
     perTriangle(state, s.c);
 }
 
 void PressureSolution(benchmark::State& state) {
-    const Step s{column(static_cast<int>(state.range(0)))};
+    const StartOfStep s{column(static_cast<int>(state.range(0)))};
     const auto system = s.system();
     const std::vector<double> residual(s.nodes.size(), 1e-6);
     for (auto _ : state) benchmark::DoNotOptimize(system.solve(residual));

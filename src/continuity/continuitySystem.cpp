@@ -90,10 +90,23 @@ struct PressureColumn {
     }
 };
 
-/// Rows and values of one pressure column, written from slot `s` on: diagonal, pressures, solids, surface.
+/// What the matrix is made of.
 template <int Dim>
-void writeColumn(const PressureColumn<Dim>& column, int i, const Unknowns& u, const SolidDofs<Dim>& dofs,
-                 const NodeConstraints<Dim>& constraints, int s, SymmetricMatrix& A) {
+struct Parts {
+    const Step<Dim>& step;
+    const ContinuityControls& controls;
+    const FluidPhase<Dim>& phase;
+    const Stabilisation& stabilisation;
+    const SolidBlock<Dim>& solid;
+    const Unknowns& u;
+};
+
+/// Rows and values of one pressure column, diagonal, pressures, solids, surface.
+template <int Dim>
+void writeColumn(const PressureColumn<Dim>& column, int i, const Parts<Dim>& parts, SymmetricMatrix& A) {
+    const Unknowns& u = parts.u;
+    const SolidDofs<Dim>& dofs = parts.solid.dofs;
+    int s = A.start[u.pressure[i]];
     const auto put = [&](int row, double value) {
         A.row[s] = row;
         A.value[s++] = value;
@@ -105,77 +118,78 @@ void writeColumn(const PressureColumn<Dim>& column, int i, const Unknowns& u, co
             const int node = column.node[k];
             if ((dofs.local[node] >= 0) != ofSolid) continue;
             forVelocities<Dim>(u, dofs, node, [&](int unknown, const Vec<Dim>& direction) {
-                put(unknown, constraints.project(node, column.B[k]).dot(direction));
+                put(unknown, parts.step.constraints.project(node, column.B[k]).dot(direction));
             });
         }
 }
 
 /// K_p without its face terms, and B: each pressure gathers from the cells around it.
 template <int Dim>
-void addCells(SymmetricMatrix& A, const Problem<Dim>& problem, const ContinuityControls& controls,
-              const Cells<Dim>& cells, const Topology<Dim>& topology, const Patches<Dim>& patches,
-              const Stabilisation& stabilisation, const Unknowns& u, const SolidDofs<Dim>& dofs,
-              const NodeConstraints<Dim>& constraints, const Newmark& newmark) {
+void addCells(const Parts<Dim>& parts, SymmetricMatrix& A) {
+    const Topology<Dim>& topology = parts.step.topology;
+    const Cells<Dim>& cells = parts.phase.cells;
     const NodeToCells& around = topology.fluid;
-    const auto& [tau, projected] = stabilisation;
+    const double dt = parts.step.dt();
 #pragma omp parallel if (cells.size() > shortLoop)
     {
         PressureColumn<Dim> column;
         column.at.resize(topology.nNodes());
 #pragma omp for schedule(static)
         for (int i = 0; i < topology.nNodes(); ++i) {
-            if (u.pressure[i] < 0) continue;
+            if (parts.u.pressure[i] < 0) continue;
             column.begin(i, topology.ring);
             for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
                 const int e = around.cell[s], k = around.corner[s];
-                const ViscousFluid& fluid = problem.fluid(cells.material[e]);
-                const auto& g = patches.element[e];
-                const double schur = newmark.dt / fluid.rho, unprojected = tau[e] + controls.schurScale * schur;
-                const double laplacian = projected[e] ? std::max(unprojected, schur) : unprojected;
+                const ViscousFluid& fluid = parts.step.problem.fluid(cells.material[e]);
+                const auto& g = parts.phase.patches.element[e];
+                const double tauE = parts.stabilisation.tau[e], schur = dt / fluid.rho;
+                const double unprojected = tauE + parts.controls.schurScale * schur;
+                const double laplacian = parts.stabilisation.projected[e] ? std::max(unprojected, schur) : unprojected;
                 const double share = g.measure / (Dim + 1);
                 for (int l = 0; l <= Dim; ++l) {
                     const int at = column.at[cells.nodes[e][l]];
                     column.K[at] += laplacian * g.measure * g.gradN[k].dot(g.gradN[l]);
-                    if (l == k) column.K[at] += share / (fluid.kappa * newmark.dt);
+                    if (l == k) column.K[at] += share / (fluid.kappa * dt);
                     column.B[at] += share * g.gradN[l];
                 }
             }
-            writeColumn<Dim>(column, i, u, dofs, constraints, A.start[u.pressure[i]], A);
+            writeColumn<Dim>(column, i, parts, A);
         }
     }
 }
 
 /// -A/c of the solids.
-void addSolid(SymmetricMatrix& A, const ContinuityControls& controls, const Unknowns& u, const SymmetricMatrix& solid,
-              const Newmark& newmark) {
+template <int Dim>
+void addSolid(const Parts<Dim>& parts, SymmetricMatrix& A) {
     // without compliance the solid block stays, decoupled: divide by a tiny number instead of zero
-    const double scale = newmark.gamma / std::max(controls.complianceScale, 1e-12);
+    const double scale = parts.step.gamma() / std::max(parts.controls.complianceScale, 1e-12);
+    const SymmetricMatrix& solid = parts.solid.matrix;
+    const int first = parts.u.nPressure;
     for (int j = 0; j < solid.n; ++j)
         for (int s = solid.start[j]; s < solid.start[j + 1]; ++s) {
-            const int at = A.start[u.nPressure + j] + s - solid.start[j];
-            A.row[at] = u.nPressure + solid.row[s];
+            const int at = A.start[first + j] + s - solid.start[j];
+            A.row[at] = first + solid.row[s];
             A.value[at] = -scale * solid.value[s];
         }
 }
 
 /// Weak p = 0 and the mass of the surface's velocities.
 template <int Dim>
-void addFreeSurface(SymmetricMatrix& A, const Problem<Dim>& problem, const ContinuityControls& controls,
-                    const Cells<Dim>& cells, const Topology<Dim>& topology, const Patches<Dim>& patches,
-                    const std::vector<double>& mu, const Stabilisation& stabilisation, const Points<Dim>& x,
-                    const Unknowns& u, const Newmark& newmark) {
+void addFreeSurface(const Parts<Dim>& parts, const Points<Dim>& x, SymmetricMatrix& A) {
+    const auto& [step, controls, phase, stabilisation, solid, u] = parts;
     const auto& [tau, projected] = stabilisation;
+    const auto& [problem, topology, cells, patches] = std::tie(step.problem, step.topology, phase.cells, phase.patches);
     for (const auto& face : topology.faces) {
         if (face.kind != FaceKind::freeSurface) continue;
         const double measure = faceArea<Dim>(x, face.nodes).norm();
         const double cell = patches.element[face.cell].measure, twoOverH = 2 * measure / (Dim * cell);
-        const double tauN = surfaceStabilisation<Dim>(tau[face.cell], mu[face.cell], cell, measure);
+        const double tauN = surfaceStabilisation<Dim>(tau[face.cell], phase.mu[face.cell], cell, measure);
         for (int node : face.nodes)
             if (u.pressure[node] >= 0 && !projected[face.cell])
                 A.value[A.start[u.pressure[node]]] += controls.freeSurfaceWeight * tauN * twoOverH * measure / Dim;
     }
-    const double scale = newmark.gamma / std::max(controls.freeSurfaceScale, 1e-12);
-    const auto stiffness = surfaceStiffness<Dim>(problem, cells, topology, x, newmark);
+    const double scale = step.gamma() / std::max(controls.freeSurfaceScale, 1e-12);
+    const auto stiffness = surfaceStiffness<Dim>(problem, cells, topology, x, step.midpoint);
     for (int i = 0; i < topology.nNodes(); ++i) {
         if (u.surface[i] < 0) continue;
         double mass = 0;
@@ -183,7 +197,7 @@ void addFreeSurface(SymmetricMatrix& A, const Problem<Dim>& problem, const Conti
             const int e = topology.fluid.cell[s];
             mass += problem.fluid(cells.material[e]).rho * patches.element[e].measure / (Dim + 1);
         }
-        const Vec<Dim> inertia = matrixInertia<Dim>(mass, stiffness[i], newmark);
+        const Vec<Dim> inertia = matrixInertia<Dim>(mass, stiffness[i], step.midpoint);
         for (int c = 0; c < Dim; ++c) {
             const int at = A.start[u.surface[i] + c];
             A.row[at] = u.surface[i] + c;
@@ -225,29 +239,27 @@ int nParts(int unknowns) { return unknowns < 2000 ? 1 : unknowns < 100000 ? 2 : 
 }  // namespace
 
 template <int Dim>
-ContinuitySystem<Dim>::ContinuitySystem(const Problem<Dim>& problem, const ContinuityControls& controls,
-                                        const Cells<Dim>& cells, const Topology<Dim>& topology,
-                                        const NodeConstraints<Dim>& constraints, const Patches<Dim>& patches,
-                                        const std::vector<double>& mu, const Stabilisation& stabilisation,
-                                        const Points<Dim>& x, const SolidDofs<Dim>& dofs, const SymmetricMatrix& solid,
-                                        const Newmark& newmark) {
+ContinuitySystem<Dim>::ContinuitySystem(const Step<Dim>& step, const ContinuityControls& controls,
+                                        const FluidPhase<Dim>& fluid, const Stabilisation& stabilisation,
+                                        const Points<Dim>& x, const SolidBlock<Dim>& solid) {
     const bool strong = controls.freeSurfacePressure == "strong";
-    const Unknowns u = numberUnknowns<Dim>(topology, constraints, strong, solid.n);
+    const Unknowns u = numberUnknowns<Dim>(step.topology, step.constraints, strong, solid.matrix.n);
     unknown_ = u.pressure;
     n_ = u.n;
     if (n_ == 0) return;
 
+    const Parts<Dim> of{step, controls, fluid, stabilisation, solid, u};
     SymmetricMatrix A;
     A.n = u.n;
-    A.start = columnStarts<Dim>(topology.ring, u, dofs, solid);
+    A.start = columnStarts<Dim>(step.topology.ring, u, solid.dofs, solid.matrix);
     A.row.resize(A.start[u.n]);
     A.value.resize(A.start[u.n]);
-    addCells<Dim>(A, problem, controls, cells, topology, patches, stabilisation, u, dofs, constraints, newmark);
-    addSolid(A, controls, u, solid, newmark);
-    if (!strong) addFreeSurface<Dim>(A, problem, controls, cells, topology, patches, mu, stabilisation, x, u, newmark);
+    addCells<Dim>(of, A);
+    addSolid<Dim>(of, A);
+    if (!strong) addFreeSurface<Dim>(of, x, A);
 
     const int parts = nParts(u.n);
-    const auto place = placesOfUnknowns<Dim>(x, u, dofs);
+    const auto place = placesOfUnknowns<Dim>(x, u, solid.dofs);
     if (controls.factorPrecision == "double") factor_.emplace<DissectedLdlt<double>>();
     std::visit(
         [&](auto& factor) { factor.template factorize<Dim>(A, place, partsOfUnknowns<Dim>(A, place, parts), parts); },

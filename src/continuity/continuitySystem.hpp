@@ -4,10 +4,10 @@
 #include <variant>
 
 #include "continuity/stabilisation.hpp"
-#include "integration/nodalPatches.hpp"
 #include "linear/dissectedLdlt.hpp"
+#include "momentum/fluidPhase.hpp"
 #include "momentum/solidMatrix.hpp"
-#include "state/problem.hpp"
+#include "momentum/step.hpp"
 
 namespace pfem {
 
@@ -26,11 +26,9 @@ namespace pfem {
 template <int Dim>
 class ContinuitySystem {
 public:
-    ContinuitySystem(const Problem<Dim>& problem, const ContinuityControls& controls, const Cells<Dim>& cells,
-                     const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints,
-                     const Patches<Dim>& patches, const std::vector<double>& mu, const Stabilisation& stabilisation,
-                     const Points<Dim>& x, const SolidDofs<Dim>& solidDofs, const SymmetricMatrix& solidMatrix,
-                     const Newmark& newmark);
+    /// In the fluid's present configuration, whose nodes are at x.
+    ContinuitySystem(const Step<Dim>& step, const ContinuityControls& controls, const FluidPhase<Dim>& fluid,
+                     const Stabilisation& stabilisation, const Points<Dim>& x, const SolidBlock<Dim>& solid);
 
     /// dp of all nodes for the right-hand side -R_c; zero outside the fluid.
     std::vector<double> solve(const std::vector<double>& residual) const;

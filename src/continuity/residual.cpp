@@ -17,30 +17,32 @@ struct CellTerms {
 };
 
 template <int Dim>
-CellTerms<Dim> cellTerms(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
-                         const std::vector<double>& tau, double tauFaces, const Nodes<Dim>& trial,
-                         const Nodes<Dim>& middle, const std::vector<unsigned char>& projected, double divTarget) {
+CellTerms<Dim> cellTerms(const Step<Dim>& step, const FluidPhase<Dim>& phase, const Stabilisation& stabilisation,
+                         double tauFaces, const Trial<Dim>& trial) {
+    const auto& [tau, projected] = stabilisation;
+    const Cells<Dim>& cells = phase.cells;
+    const Vec<Dim>& gravity = step.problem.gravity;
     CellTerms<Dim> t;
     t.rate.resize(cells.nodes.size());
     t.compressibility.resize(cells.nodes.size());
     t.flux.resize(cells.nodes.size());
 #pragma omp parallel for schedule(static) if (cells.size() > shortLoop)
     for (int e = 0; e < cells.size(); ++e) {
-        const auto& g = patches.element[e];
+        const auto& g = phase.patches.element[e];
         double growth = 0;  // |e| div v at the end of the step
         Vec<Dim> gradP = Vec<Dim>::Zero();
         Vec<Dim> a = Vec<Dim>::Zero();
         for (int k = 0; k <= Dim; ++k) {
             const int node = cells.nodes[e][k];
-            growth -= trial.v[node].dot(faceArea<Dim>(trial.x, oppositeFace<Dim>(cells.nodes[e], k))) / Dim;
-            gradP += middle.p[node] * g.gradN[k];
-            if (!projected[e]) a += middle.a[node] / (Dim + 1);
+            growth -= trial.end.v[node].dot(faceArea<Dim>(trial.end.x, oppositeFace<Dim>(cells.nodes[e], k))) / Dim;
+            gradP += trial.middle.p[node] * g.gradN[k];
+            if (!projected[e]) a += trial.middle.a[node] / (Dim + 1);
         }
-        const ViscousFluid& fluid = problem.fluid(cells.material[e]);
+        const ViscousFluid& fluid = step.problem.fluid(cells.material[e]);
         const double share = g.measure / (Dim + 1);
-        t.rate[e] = growth / (Dim + 1) - share * divTarget;
+        t.rate[e] = growth / (Dim + 1) - share * step.divTarget;
         t.compressibility[e] = share / fluid.kappa;
-        t.flux[e] = g.measure * (tau[e] * (gradP - fluid.rho * problem.gravity) + (tau[e] - tauFaces) * fluid.rho * a);
+        t.flux[e] = g.measure * (tau[e] * (gradP - fluid.rho * gravity) + (tau[e] - tauFaces) * fluid.rho * a);
     }
     return t;
 }
@@ -87,20 +89,21 @@ double volumeReturnRate(const ContinuityControls& controls, double dt) {
 }
 
 template <int Dim>
-std::vector<double> continuityResidual(const Problem<Dim>& problem, const ContinuityControls& controls,
-                                       const Cells<Dim>& cells, const Topology<Dim>& topology,
-                                       const Patches<Dim>& patches, const std::vector<double>& mu,
-                                       const Stabilisation& stabilisation, const Nodes<Dim>& trial,
-                                       const Nodes<Dim>& middle, const Nodes<Dim>& old, double dt, double divTarget) {
+std::vector<double> continuityResidual(const Step<Dim>& step, const ContinuityControls& controls,
+                                       const FluidPhase<Dim>& phase, const Stabilisation& stabilisation,
+                                       const Trial<Dim>& trial) {
     const bool inertia = controls.stabilisation != "bodyForce";
     const bool projection = controls.stabilisation == "projection";
     const auto& [tau, projected] = stabilisation;
+    const auto& [cells, patches, mu] = std::tie(phase.cells, phase.patches, phase.mu);
+    const auto& [topology, middle, old] = std::tie(step.topology, trial.middle, step.old);
+    const double dt = step.dt();
     const double tauFaces = inertia ? 0 : meanOverCells<Dim>(patches, tau);
-    auto terms = cellTerms<Dim>(problem, cells, patches, tau, tauFaces, trial, middle, projected, divTarget);
+    auto terms = cellTerms<Dim>(step, phase, stabilisation, tauFaces, trial);
     const NodeToCells& around = topology.fluid;
     if (projection) subtractProjection<Dim>(patches, around, tau, projected, terms.flux);
     const double returnRate = volumeReturnRate(controls, dt);
-    std::vector<double> R(trial.size(), 0.0);
+    std::vector<double> R(middle.size(), 0.0);
 #pragma omp parallel for schedule(static) if (cells.size() > shortLoop)
     for (int i = 0; i < topology.nNodes(); ++i) {
         double compressibility = 0;
@@ -116,7 +119,7 @@ std::vector<double> continuityResidual(const Problem<Dim>& problem, const Contin
     for (const auto& face : topology.faces) {
         const bool free = face.kind == FaceKind::freeSurface;
         if (!free && (inertia || !controls.interfaceAcceleration)) continue;
-        const ViscousFluid& fluid = problem.fluid(cells.material[face.cell]);
+        const ViscousFluid& fluid = step.problem.fluid(cells.material[face.cell]);
         const auto& g = patches.element[face.cell];
         const Vec<Dim> area = faceArea<Dim>(middle.x, face.nodes);
         const double measure = area.norm();
@@ -137,9 +140,7 @@ std::vector<double> continuityResidual(const Problem<Dim>& problem, const Contin
     return R;
 }
 
-template std::vector<double> continuityResidual<2>(const Problem<2>&, const ContinuityControls&, const Cells<2>&,
-                                                   const Topology<2>&, const Patches<2>&, const std::vector<double>&,
-                                                   const Stabilisation&, const Nodes<2>&, const Nodes<2>&,
-                                                   const Nodes<2>&, double, double);
+template std::vector<double> continuityResidual<2>(const Step<2>&, const ContinuityControls&, const FluidPhase<2>&,
+                                                   const Stabilisation&, const Trial<2>&);
 
 }  // namespace pfem

@@ -3,8 +3,8 @@
 
 #include "continuity/controls.hpp"
 #include "continuity/stabilisation.hpp"
-#include "integration/nodalPatches.hpp"
-#include "state/problem.hpp"
+#include "momentum/fluidPhase.hpp"
+#include "momentum/trial.hpp"
 
 namespace pfem {
 
@@ -15,7 +15,7 @@ double volumeReturnRate(const ContinuityControls& controls, double dt);
 
 /// R_I = Omega_I/(kappa dt) (p_I - p_I^n) + Omega_I (div_I - divTarget) + tau [(L + M_G) p - f]_I  [m2/s],
 /// with tau_n (stabilisation.hpp) in place of tau for M_G and 2 mu d_n.
-/// x, p, a of `middle`, the divergence at the end of the step (`trial`). In projected cells (stabilisation.hpp) instead
+/// x, p, a in the middle of the step, the divergence at its end. In projected cells (stabilisation.hpp) instead
 /// of tau [...]:
 ///     sum_e tau_e |e| grad N_I . (grad p - mean of P_J over the nodes of e),   P_J: tau-weighted mean of grad p around
 ///     J
@@ -29,10 +29,8 @@ double volumeReturnRate(const ContinuityControls& controls, double dt);
 /// So every uniformly accelerated state, free fall among them, satisfies the equation exactly whatever the tau of the
 /// cells.
 template <int Dim>
-std::vector<double> continuityResidual(const Problem<Dim>& problem, const ContinuityControls& controls,
-                                       const Cells<Dim>& cells, const Topology<Dim>& topology,
-                                       const Patches<Dim>& patches, const std::vector<double>& mu,
-                                       const Stabilisation& stabilisation, const Nodes<Dim>& trial,
-                                       const Nodes<Dim>& middle, const Nodes<Dim>& old, double dt, double divTarget);
+std::vector<double> continuityResidual(const Step<Dim>& step, const ContinuityControls& controls,
+                                       const FluidPhase<Dim>& phase, const Stabilisation& stabilisation,
+                                       const Trial<Dim>& trial);
 
 }  // namespace pfem

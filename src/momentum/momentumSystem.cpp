@@ -25,22 +25,21 @@ void axpy(double factor, const Points<Dim>& x, Points<Dim>& y) {
 
 /// rho h^2/dt with h^2 = Omega^{2/Dim}: an acoustic Courant number of one at each stress point [Pa s].
 template <int Dim>
-std::vector<double> localBulk(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& fluid,
-                              double dt) {
-    std::vector<double> bulk(nStressPoints<Dim>(fluid), 0.0);
-    for (int p = 0; p < nStressPoints<Dim>(fluid); ++p) {
-        if (!isStressPoint<Dim>(fluid, p)) continue;
-        const double rho = problem.fluid(cells.material[cellOfPoint<Dim>(fluid, p)]).rho;
-        bulk[p] = rho * std::pow(pointVolume<Dim>(fluid, p), 2.0 / Dim) / dt;
+std::vector<double> localBulk(const FluidPhase<Dim>& fluid, double dt) {
+    const Patches<Dim>& patches = fluid.patches;
+    std::vector<double> bulk(nStressPoints<Dim>(patches), 0.0);
+    for (int p = 0; p < nStressPoints<Dim>(patches); ++p) {
+        if (!isStressPoint<Dim>(patches, p)) continue;
+        const double rho = fluid.problem.fluid(fluid.cells.material[cellOfPoint<Dim>(patches, p)]).rho;
+        bulk[p] = rho * std::pow(pointVolume<Dim>(patches, p), 2.0 / Dim) / dt;
     }
     return bulk;
 }
 
 /// About the diagonal of the viscous matrix: at most sum_e 2 mu |e| |grad N_I|^2.
 template <int Dim>
-std::vector<double> viscousDiagonal(const Patches<Dim>& fluid, const std::vector<double>& mu) {
+std::vector<double> viscousDiagonal(const Patches<Dim>& fluid, const std::vector<double>& cellMu) {
     std::vector<double> diagonal(fluid.nNodes(), 0.0);
-    const auto cellMu = fromPoints<Dim>(fluid, mu);
     const NodeToCells& around = *fluid.around;
     forEach(fluid.nNodes(), [&](int i) {
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
@@ -90,40 +89,36 @@ std::vector<double> meanBulk(const Patches<Dim>& fluid, const std::vector<double
 }  // namespace
 
 template <int Dim>
-MomentumSystem<Dim>::MomentumSystem(const Problem<Dim>& problem, const MomentumControls& momentum,
-                                    const Mesh<Dim>& mesh, const Topology<Dim>& topology,
-                                    const NodeConstraints<Dim>& constraints, const Patches<Dim>& fluid,
-                                    FlowViscosity<Dim> viscosity, const Points<Dim>& inertia, SolidDofs<Dim> dofs,
-                                    SymmetricMatrix solid, const Newmark& newmark)
-    : controls_(momentum),
-      constraints_(constraints),
+MomentumSystem<Dim>::MomentumSystem(const Step<Dim>& step, const MomentumControls& controls,
+                                    const FluidPhase<Dim>& fluid, const Points<Dim>& inertia, SolidBlock<Dim> solid)
+    : controls_(controls),
+      constraints_(step.constraints),
       fluid_(fluid),
-      dofs_(std::move(dofs)),
       solid_(std::move(solid)),
       moving_(inertia.size(), 0),
       inertia_(inertia.size(), Vec<Dim>::Zero()),
       diagonal_(inertia.size(), 0.0) {
-    if (dofs_.n > 0) {
-        factor_.analyze(solid_);
-        factor_.factorize(solid_);
+    if (solid_.dofs.n > 0) {
+        factor_.analyze(solid_.matrix);
+        factor_.factorize(solid_.matrix);
     }
+    const Topology<Dim>& topology = step.topology;
     for (int i = 0; i < topology.nNodes(); ++i) {
-        const bool moves = constraints.hold[i] == Hold::free || constraints.hold[i] == Hold::slide;
+        const bool moves = constraints_.hold[i] == Hold::free || constraints_.hold[i] == Hold::slide;
         moving_[i] = topology.wet(i) && !topology.onSolid[i] && moves;
     }
     setInertia(inertia);
-    setViscosity(std::move(viscosity));
+    updateViscosity();
     if (controls_.theta > 0) {
-        bulk_ = controls_.bulkRule == "local" ? localBulk<Dim>(problem, mesh.fluid, fluid, newmark.dt)
-                                              : meanBulk<Dim>(fluid, diagonal_);
+        bulk_ =
+            controls_.bulkRule == "local" ? localBulk<Dim>(fluid, step.dt()) : meanBulk<Dim>(fluid.patches, diagonal_);
         for (double& value : bulk_) value *= controls_.theta;
     }
 }
 
 template <int Dim>
-void MomentumSystem<Dim>::setViscosity(FlowViscosity<Dim> viscosity) {
-    viscosity_ = std::move(viscosity);
-    viscousDiagonal_ = viscousDiagonal<Dim>(fluid_, viscosity_.mu);
+void MomentumSystem<Dim>::updateViscosity() {
+    viscousDiagonal_ = viscousDiagonal<Dim>(fluid_.patches, fluid_.mu);
     const Ratios ratios = viscousRatios(viscousDiagonal_, diagonal_);
     viscousNumber_ = ratios.typical;
     // light nodes on flat triangles do not make the whole fluid a thick one as long as the diagonal alone converges
@@ -150,19 +145,19 @@ void MomentumSystem<Dim>::setInertia(const Points<Dim>& inertia) {
 
 template <int Dim>
 Eigen::VectorXd MomentumSystem<Dim>::gather(const Points<Dim>& r) const {
-    Eigen::VectorXd u(dofs_.n);
-    for (std::size_t k = 0; k < dofs_.node.size(); ++k)
-        for (int c = 0; c < dofs_.count[dofs_.node[k]]; ++c)
-            u[dofs_.first[dofs_.node[k]] + c] = dofs_.basis[k].col(c).dot(r[dofs_.node[k]]);
+    Eigen::VectorXd u(solid_.dofs.n);
+    for (std::size_t k = 0; k < solid_.dofs.node.size(); ++k)
+        for (int c = 0; c < solid_.dofs.count[solid_.dofs.node[k]]; ++c)
+            u[solid_.dofs.first[solid_.dofs.node[k]] + c] = solid_.dofs.basis[k].col(c).dot(r[solid_.dofs.node[k]]);
     return u;
 }
 
 template <int Dim>
 void MomentumSystem<Dim>::scatter(const Eigen::VectorXd& u, Points<Dim>& r) const {
-    for (std::size_t k = 0; k < dofs_.node.size(); ++k) {
-        Vec<Dim>& value = r[dofs_.node[k]];
-        for (int c = 0; c < dofs_.count[dofs_.node[k]]; ++c)
-            value += u[dofs_.first[dofs_.node[k]] + c] * dofs_.basis[k].col(c);
+    for (std::size_t k = 0; k < solid_.dofs.node.size(); ++k) {
+        Vec<Dim>& value = r[solid_.dofs.node[k]];
+        for (int c = 0; c < solid_.dofs.count[solid_.dofs.node[k]]; ++c)
+            value += u[solid_.dofs.first[solid_.dofs.node[k]] + c] * solid_.dofs.basis[k].col(c);
     }
 }
 
@@ -170,7 +165,7 @@ template <int Dim>
 Points<Dim> MomentumSystem<Dim>::restricted(const Points<Dim>& r) const {
     Points<Dim> result(r.size(), Vec<Dim>::Zero());
     forEach(static_cast<int>(r.size()), [&](int i) {
-        if (diagonal_[i] > 0 || dofs_.local[i] >= 0) result[i] = constraints_.project(i, r[i]);
+        if (diagonal_[i] > 0 || solid_.dofs.local[i] >= 0) result[i] = constraints_.project(i, r[i]);
     });
     return result;
 }
@@ -179,8 +174,9 @@ template <int Dim>
 Points<Dim> MomentumSystem<Dim>::apply(const Points<Dim>& u) const {
     Points<Dim> y(u.size(), Vec<Dim>::Zero());
     for (std::size_t i = 0; i < u.size(); ++i) y[i] = inertia_[i].cwiseProduct(u[i]);
-    if (viscous_) addInternalForce<Dim>(fluid_, fluidTangentStress<Dim>(fluid_, viscosity_, u, bulk_), y);
-    if (dofs_.n > 0) scatter(solid_.multiply(gather(u)), y);
+    if (viscous_)
+        addInternalForce<Dim>(fluid_.patches, fluidTangentStress<Dim>(fluid_.patches, fluid_.viscosity, u, bulk_), y);
+    if (solid_.dofs.n > 0) scatter(solid_.matrix.multiply(gather(u)), y);
     return restricted(y);
 }
 
@@ -192,7 +188,7 @@ Points<Dim> MomentumSystem<Dim>::precondition(const Points<Dim>& r) const {
         if (diagonal_[i] > 0)
             z[i] = constraints_.project(i, r[i]).cwiseQuotient(inertia_[i] + Vec<Dim>::Constant(viscousDiagonal_[i]));
     });
-    if (dofs_.n > 0) scatter(factor_.solve(gather(r)), z);
+    if (solid_.dofs.n > 0) scatter(factor_.solve(gather(r)), z);
     return z;
 }
 

@@ -2,8 +2,9 @@
 // ONE linear system for the velocities of fluid and solid together: (M + K) dv = -R_m (40)-(43).
 
 #include "linear/ldlt.hpp"
-#include "momentum/fluidStress.hpp"
+#include "momentum/fluidPhase.hpp"
 #include "momentum/solidMatrix.hpp"
+#include "momentum/step.hpp"
 
 namespace pfem {
 
@@ -13,18 +14,15 @@ namespace pfem {
 template <int Dim>
 class MomentumSystem {
 public:
-    /// The references must outlive the system. `fluid`: patches whose current geometry is used by solve;
-    /// `viscosity`: of their stress points.
-    MomentumSystem(const Problem<Dim>& problem, const MomentumControls& momentum, const Mesh<Dim>& mesh,
-                   const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints, const Patches<Dim>& fluid,
-                   FlowViscosity<Dim> viscosity, const Points<Dim>& inertia, SolidDofs<Dim> dofs, SymmetricMatrix solid,
-                   const Newmark& newmark);
+    /// The references must outlive the system. `fluid`: its current geometry and viscosity are used by solve.
+    MomentumSystem(const Step<Dim>& step, const MomentumControls& controls, const FluidPhase<Dim>& fluid,
+                   const Points<Dim>& inertia, SolidBlock<Dim> solid);
 
     /// matrixInertia of the fluid's nodes in the current configuration (the solid's factor stays).
     void setInertia(const Points<Dim>& inertia);
 
-    /// Viscosity of the fluid's stress points.
-    void setViscosity(FlowViscosity<Dim> viscosity);
+    /// The fluid's viscosity has changed.
+    void updateViscosity();
 
     /// dv of all nodes for the right-hand side -R; zero where a velocity is prescribed and on isolated nodes.
     Points<Dim> solve(const Points<Dim>& residual);
@@ -37,8 +35,7 @@ public:
     bool isViscous() const { return viscous_; }
 
     int linearIterations() const { return iterations_; }  // of the last solve
-    const SolidDofs<Dim>& solidDofs() const { return dofs_; }
-    const SymmetricMatrix& solidMatrix() const { return solid_; }
+    const SolidBlock<Dim>& solid() const { return solid_; }
 
 private:
     Points<Dim> apply(const Points<Dim>& u) const;
@@ -49,14 +46,12 @@ private:
 
     MomentumControls controls_;
     const NodeConstraints<Dim>& constraints_;
-    const Patches<Dim>& fluid_;
-    SolidDofs<Dim> dofs_;
-    SymmetricMatrix solid_;
+    const FluidPhase<Dim>& fluid_;
+    SolidBlock<Dim> solid_;
     Ldlt factor_;
-    std::vector<unsigned char> moving_;  // fluid nodes with unknowns, solids left out
-    Points<Dim> inertia_;                // of moving fluid nodes; of a sliding one the same in all directions
-    std::vector<double> diagonal_;       // its least component, 0 elsewhere
-    FlowViscosity<Dim> viscosity_;
+    std::vector<unsigned char> moving_;    // fluid nodes with unknowns, solids left out
+    Points<Dim> inertia_;                  // of moving fluid nodes; of a sliding one the same in all directions
+    std::vector<double> diagonal_;         // its least component, 0 elsewhere
     std::vector<double> viscousDiagonal_;  // about that of the viscous matrix, where it is applied
     std::vector<double> bulk_;             // theta times bulkRule's value per stress point [Pa s], empty without
     double viscousNumber_ = 0;

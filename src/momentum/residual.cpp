@@ -1,8 +1,17 @@
 #include "momentum/residual.hpp"
 
 #include "base/parallel.hpp"
+#include "momentum/mass.hpp"
+#include "momentum/wallFriction.hpp"
 
 namespace pfem {
+
+template <int Dim>
+std::vector<double> nodalMass(const FluidPhase<Dim>& fluid, const SolidPhase<Dim>& solid) {
+    auto mass = fluidMass<Dim>(fluid.problem, fluid.cells, fluid.patches);
+    forEach(static_cast<int>(mass.size()), [&](int i) { mass[i] += solid.mass[i]; });
+    return mass;
+}
 
 template <int Dim>
 Points<Dim> tractionForce(const Mesh<Dim>& mesh, const BoundaryConditions<Dim>& conditions, const Points<Dim>& x) {
@@ -16,19 +25,42 @@ Points<Dim> tractionForce(const Mesh<Dim>& mesh, const BoundaryConditions<Dim>& 
 }
 
 template <int Dim>
-Points<Dim> momentumResidual(const std::vector<double>& mass, const Points<Dim>& a, const Vec<Dim>& gravity,
-                             const Patches<Dim>& fluid, const std::vector<double>& p, const Patches<Dim>& solid,
-                             const std::vector<Tensor<Dim>>& solidStress, const Points<Dim>& external) {
-    Points<Dim> R(a.size());
-    forEach(static_cast<int>(a.size()), [&](int i) { R[i] = mass[i] * (a[i] - gravity) - external[i]; });
-    addPressureForce<Dim>(fluid, p, R);
-    addInternalForce<Dim>(solid, solidStress, R);
+Points<Dim> externalForce(const Mesh<Dim>& mesh, const Topology<Dim>& topology, const FluidPhase<Dim>& fluid,
+                          const Nodes<Dim>& nodes) {
+    auto force = tractionForce<Dim>(mesh, fluid.problem.conditions, nodes.x);
+    addWallFriction<Dim>(fluid.problem, mesh.fluid, topology, nodes, force);
+    addSideFriction<Dim>(fluid.problem, mesh.fluid, fluid.patches, nodes.v, force);
+    return force;
+}
+
+template <int Dim>
+Points<Dim> viscousForces(const FluidPhase<Dim>& fluid, double waveDamping, const Nodes<Dim>& nodes) {
+    auto force = viscousForce<Dim>(fluid.patches, fluid.viscosity.mu, nodes.v);
+    const auto zigzag = zigzagForce<Dim>(fluid.problem, fluid.cells, fluid.patches, waveDamping, nodes.h, nodes.v);
+    forEach(nodes.size(), [&](int i) { force[i] += zigzag[i]; });
+    return force;
+}
+
+template <int Dim>
+Points<Dim> momentumResidual(const std::vector<double>& mass, const Nodes<Dim>& nodes, const FluidPhase<Dim>& fluid,
+                             const SolidPhase<Dim>& solid, const Points<Dim>& external, double share) {
+    const Vec<Dim>& gravity = fluid.problem.gravity;
+    Points<Dim> R(nodes.size());
+    forEach(nodes.size(), [&](int i) { R[i] = mass[i] * (nodes.a[i] - gravity) - external[i]; });
+    addPressureForce<Dim>(fluid.patches, nodes.p, R);
+    auto stress = solid.elementStress;
+    for (auto& sigma : stress) sigma *= share;
+    addInternalForce<Dim>(solid.patches, stress, R);
     return R;
 }
 
-template Points<2> tractionForce<2>(const Mesh<2>&, const BoundaryConditions<2>&, const Points<2>&);
-template Points<2> momentumResidual<2>(const std::vector<double>&, const Points<2>&, const Vec<2>&, const Patches<2>&,
-                                       const std::vector<double>&, const Patches<2>&, const std::vector<Tensor<2>>&,
-                                       const Points<2>&);
+#define PFEM_INSTANTIATE(D)                                                                                         \
+    template std::vector<double> nodalMass<D>(const FluidPhase<D>&, const SolidPhase<D>&);                          \
+    template Points<D> tractionForce<D>(const Mesh<D>&, const BoundaryConditions<D>&, const Points<D>&);            \
+    template Points<D> externalForce<D>(const Mesh<D>&, const Topology<D>&, const FluidPhase<D>&, const Nodes<D>&); \
+    template Points<D> viscousForces<D>(const FluidPhase<D>&, double, const Nodes<D>&);                             \
+    template Points<D> momentumResidual<D>(const std::vector<double>&, const Nodes<D>&, const FluidPhase<D>&,       \
+                                           const SolidPhase<D>&, const Points<D>&, double);
+PFEM_INSTANTIATE(2)
 
 }  // namespace pfem

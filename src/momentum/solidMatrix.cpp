@@ -112,7 +112,7 @@ SolidDofs<Dim> solidDofs(const NodeToCells& solid, const NodeConstraints<Dim>& c
 template <int Dim>
 SymmetricMatrix solidMatrix(const Problem<Dim>& problem, const SolidControls& controls, const Cells<Dim>& cells,
                             const Patches<Dim>& patches, const SolidDofs<Dim>& dofs, const Points<Dim>& inertia,
-                            const std::vector<double>& h, const Newmark& newmark) {
+                            const std::vector<double>& h, const MidpointRule& midpoint) {
     const bool withPressure = controls.formulation == "velocityPressure";
     SymmetricMatrix A = emptySolidMatrix<Dim>(withPressure ? withNodalPoints<Dim>(patches) : patches, dofs);
     for (std::size_t k = 0; k < dofs.node.size(); ++k)
@@ -122,7 +122,7 @@ SymmetricMatrix solidMatrix(const Problem<Dim>& problem, const SolidControls& co
         }
 
     // strain: dt times the end-point rate, or times the mean of both ends
-    const double tangent = controls.stressUpdate == "paper" ? newmark.dt : 0.5 * newmark.dt;
+    const double tangent = controls.stressUpdate == "paper" ? midpoint.dt : 0.5 * midpoint.dt;
     for (int p = 0; p < nStressPoints<Dim>(patches); ++p) {
         if (!isStressPoint<Dim>(patches, p)) continue;
         const Hypoelastic& material = solidMaterial<Dim>(problem, cells, patches, p);
@@ -151,7 +151,7 @@ SymmetricMatrix solidMatrix(const Problem<Dim>& problem, const SolidControls& co
     template SolidDofs<D> solidDofs<D>(const NodeToCells&, const NodeConstraints<D>&);                \
     template SymmetricMatrix solidMatrix<D>(const Problem<D>&, const SolidControls&, const Cells<D>&, \
                                             const Patches<D>&, const SolidDofs<D>&, const Points<D>&, \
-                                            const std::vector<double>&, const Newmark&);
+                                            const std::vector<double>&, const MidpointRule&);
 PFEM_INSTANTIATE(2)
 
 }  // namespace pfem

@@ -1,10 +1,10 @@
 #pragma once
 // The assembled momentum matrix of the solid nodes, interface included (41)-(42).
 
+#include "integration/midpointRule.hpp"
 #include "integration/stressPoints.hpp"
 #include "linear/symmetricMatrix.hpp"
 #include "momentum/controls.hpp"
-#include "momentum/newmark.hpp"
 #include "state/problem.hpp"
 
 namespace pfem {
@@ -20,6 +20,13 @@ struct SolidDofs {
     int n = 0;
 };
 
+/// The momentum matrix of the solids' velocities.
+template <int Dim>
+struct SolidBlock {
+    SolidDofs<Dim> dofs;
+    SymmetricMatrix matrix;
+};
+
 template <int Dim>
 SolidDofs<Dim> solidDofs(const NodeToCells& solid, const NodeConstraints<Dim>& constraints);
 
@@ -30,6 +37,6 @@ SolidDofs<Dim> solidDofs(const NodeToCells& solid, const NodeConstraints<Dim>& c
 template <int Dim>
 SymmetricMatrix solidMatrix(const Problem<Dim>& problem, const SolidControls& controls, const Cells<Dim>& cells,
                             const Patches<Dim>& patches, const SolidDofs<Dim>& dofs, const Points<Dim>& inertia,
-                            const std::vector<double>& h, const Newmark& newmark);
+                            const std::vector<double>& h, const MidpointRule& midpoint);
 
 }  // namespace pfem

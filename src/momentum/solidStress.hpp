@@ -1,9 +1,9 @@
 #pragma once
 // Stress of the solid's stress points at the end of the step (36)-(39), and the zig-zag damper.
 
+#include "integration/midpointRule.hpp"
 #include "integration/stressPoints.hpp"
 #include "momentum/controls.hpp"
-#include "momentum/newmark.hpp"
 #include "state/problem.hpp"
 
 namespace pfem {

@@ -7,7 +7,7 @@ namespace pfem {
 
 template <int Dim>
 Points<Dim> surfaceStiffness(const Problem<Dim>& problem, const Cells<Dim>& fluid, const Topology<Dim>& topology,
-                             const Points<Dim>& x, const Newmark& newmark) {
+                             const Points<Dim>& x, const MidpointRule& midpoint) {
     Points<Dim> stiffness(x.size(), Vec<Dim>::Zero());
     const double g = problem.gravity.norm();
     if (g == 0) return stiffness;
@@ -16,24 +16,24 @@ Points<Dim> surfaceStiffness(const Problem<Dim>& problem, const Cells<Dim>& flui
         if (face.kind != FaceKind::freeSurface && face.kind != FaceKind::interface) continue;
         const double pressing = -problem.gravity.dot(faceArea<Dim>(x, face.nodes));  // |face| times -g . n
         const double share =
-            0.5 * newmark.dt * problem.fluid(fluid.material[face.cell]).rho * std::max(0.0, pressing) / Dim;
+            0.5 * midpoint.dt * problem.fluid(fluid.material[face.cell]).rho * std::max(0.0, pressing) / Dim;
         for (int node : face.nodes) stiffness[node] += share * direction;
     }
     return stiffness;
 }
 
 template <int Dim>
-Points<Dim> matrixInertia(const std::vector<double>& mass, const Points<Dim>& stiffness, const Newmark& newmark) {
+Points<Dim> matrixInertia(const std::vector<double>& mass, const Points<Dim>& stiffness, const MidpointRule& midpoint) {
     Points<Dim> inertia(mass.size());
     forEach(static_cast<int>(mass.size()),
-            [&](int i) { inertia[i] = matrixInertia<Dim>(mass[i], stiffness[i], newmark); });
+            [&](int i) { inertia[i] = matrixInertia<Dim>(mass[i], stiffness[i], midpoint); });
     return inertia;
 }
 
 #define PFEM_INSTANTIATE(D)                                                                                          \
     template Points<D> surfaceStiffness<D>(const Problem<D>&, const Cells<D>&, const Topology<D>&, const Points<D>&, \
-                                           const Newmark&);                                                          \
-    template Points<D> matrixInertia<D>(const std::vector<double>&, const Points<D>&, const Newmark&);
+                                           const MidpointRule&);                                                     \
+    template Points<D> matrixInertia<D>(const std::vector<double>&, const Points<D>&, const MidpointRule&);
 PFEM_INSTANTIATE(2)
 
 }  // namespace pfem

@@ -55,7 +55,8 @@ Motion<Dim> move(const Problem<Dim>& problem, const Problem<Dim>& within, const 
 
     MotionAccount<Dim> account(state);
     const double divTarget = volumeCorrection<Dim>(state, controls.continuity.volumeCorrectionTime, report.dt);
-    auto result = fsiStep<Dim>(within, controls, state.mesh, topology, constraints, state.nodes, report.dt, divTarget);
+    const MidpointRule midpoint{report.dt, controls.timeIntegration.gamma};
+    auto result = fsiStep<Dim>({within, state.mesh, topology, constraints, state.nodes, midpoint, divTarget}, controls);
     report.step = result.report;
     motion.wallsOld = state.nodes.wall;
     motion.returned = returnedVolume<Dim>(topology, state, report.dt * volumeReturnRate(controls.continuity, report.dt),

@@ -1,11 +1,9 @@
 #pragma once
 // One time step: Algorithm 1.
 
-#include <functional>
-
+#include "momentum/step.hpp"
 #include "solver/controls.hpp"
 #include "solver/failedStep.hpp"
-#include "state/problem.hpp"
 
 namespace pfem {
 
@@ -24,25 +22,8 @@ struct StepResult {
     StepReport report;
 };
 
-/// From state n to n+1 over dt. `divTarget`: wanted divergence of the fluid [1/s], 0 without volume correction.
-/// The velocities in `old` obey the constraints.
-/// Throws FailedStep with the nodes of the last trial when the step cannot be accepted; `old` is untouched.
+/// From state n to n+1. Throws FailedStep with the nodes of the last trial when the step cannot be accepted.
 template <int Dim>
-StepResult<Dim> fsiStep(const Problem<Dim>& problem, const Controls& controls, const Mesh<Dim>& mesh,
-                        const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints, const Nodes<Dim>& old,
-                        double dt, double divTarget);
-
-/// The constraints between two times [s] counted from the present one.
-template <int Dim>
-using ConstraintsOver = std::function<NodeConstraints<Dim>(double from, double to)>;
-
-/// Pressure and acceleration at t = 0 that agree with the forces: one backward Euler step of the vanishing
-/// length `moment` [s] of the incompressible fluid, of which only p and a are kept. Initial velocities that
-/// walls and incompressibility do not allow are made so by an impulse before; p and a are then those of a step of a
-/// thousand moments.
-template <int Dim>
-Nodes<Dim> consistentStart(Problem<Dim> problem, Controls controls, const Mesh<Dim>& mesh,
-                           const Topology<Dim>& topology, const ConstraintsOver<Dim>& constraintsOver,
-                           const Nodes<Dim>& nodes, double moment);
+StepResult<Dim> fsiStep(const Step<Dim>& step, const Controls& controls);
 
 }  // namespace pfem

@@ -1,6 +1,7 @@
 #include "solver/simulation.hpp"
 
 #include "solver/beginStep.hpp"
+#include "solver/consistentStart.hpp"
 #include "solver/invariants.hpp"
 
 namespace pfem {
@@ -11,8 +12,8 @@ template <int Dim>
 void Simulation<Dim>::start(double dt) {
     const auto topology = beginStep<Dim>(problem, dt, state);
     const auto over = [&](double from, double to) { return constraintsOver<Dim>(from, to, problem, state, topology); };
-    state.nodes = consistentStart<Dim>(problemAt<Dim>(state.time.value, problem), controls, state.mesh, topology, over,
-                                       state.nodes, 1e-3 * dt);
+    state.nodes =
+        consistentStart<Dim>(problemAt<Dim>(state.time.value, problem), controls, state, topology, over, 1e-3 * dt);
 }
 
 template <int Dim>

@@ -40,10 +40,13 @@ struct Fluid {
         Nodes<2> middle = trial;  // in the same place, so that each term is seen alone
         if (c.controls.continuity.stabilisation != "bodyForce")
             for (int i = 0; i < n; ++i) middle.a[i] = (trial.v[i] - old.v[i]) / dt;
-        return continuityResidual<2>(
-            c.problem, c.controls.continuity, c.state.mesh.fluid, topology, patches, viscosities(),
-            {tau, projectedCells<2>(c.controls.continuity, c.problem, c.state.mesh.fluid, topology, old)}, trial,
-            middle, old, dt, divTarget);
+        const auto& controls = c.controls.continuity;
+        const auto constraints = c.constraints(topology);
+        FluidPhase<2> fluid(c.problem, c.state.mesh, topology.fluid, old.x, old.v, Integration::nodal);
+        fluid.patches = patches;
+        const Step<2> step{c.problem, c.state.mesh, topology, constraints, old, {dt}, divTarget};
+        const auto projected = projectedCells<2>(controls, c.problem, c.state.mesh.fluid, topology, old);
+        return continuityResidual<2>(step, controls, fluid, {tau, projected}, {trial, middle, {}, Vec<2>::Zero()});
     }
     std::vector<double> viscosities() const {
         return std::vector<double>(c.state.mesh.fluid.size(),

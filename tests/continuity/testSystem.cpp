@@ -29,11 +29,11 @@ struct Coupled {
     Topology<2> topology = c.topology();
     NodeConstraints<2> constraints = c.constraints(topology);
     const Points<2>& x = c.state.nodes.x;
-    Newmark newmark{2e-3};
+    MidpointRule midpoint{2e-3};
     Patches<2> fluid = makePatches<2>(c.state.mesh.fluid.nodes, topology.fluid, x);
     Patches<2> solid = makePatches<2>(c.state.mesh.solid.nodes, topology.solid, x);
-    std::vector<double> mu = std::vector<double>(c.state.mesh.fluid.size(), 3.0);
-    std::vector<double> tau = stabilisation<2>(c.problem, c.state.mesh.fluid, fluid, mu, c.state.nodes.v, newmark.dt);
+    std::vector<double> mu = std::vector<double>(c.state.mesh.fluid.size(), 3.0);  // of the water
+    std::vector<double> tau = stabilisation<2>(c.problem, c.state.mesh.fluid, fluid, mu, c.state.nodes.v, midpoint.dt);
     int n = c.state.nodes.size();
     SolidDofs<2> dofs = solidDofs<2>(topology.solid, constraints);
     SymmetricMatrix A = solidMatrix();
@@ -43,16 +43,20 @@ struct Coupled {
         const auto more = solidMass<2>(c.problem, c.state.mesh.solid, x);
         for (int i = 0; i < n; ++i) mass[i] += more[i];
         return pfem::solidMatrix<2>(c.problem, {}, c.state.mesh.solid, solid, dofs,
-                                    matrixInertia<2>(mass, Points<2>(mass.size(), Vec<2>::Zero()), newmark),
-                                    c.state.nodes.h, newmark);
+                                    matrixInertia<2>(mass, Points<2>(mass.size(), Vec<2>::Zero()), midpoint),
+                                    c.state.nodes.h, midpoint);
     }
     std::vector<unsigned char> projected(const ContinuityControls& controls) const {
         return projectedCells<2>(controls, c.problem, c.state.mesh.fluid, topology, c.state.nodes);
     }
+    Step<2> step(const Problem<2>& problem) const {
+        return {problem, c.state.mesh, topology, constraints, c.state.nodes, midpoint};
+    }
+    FluidPhase<2> phase(const Problem<2>& problem) const {
+        return {problem, c.state.mesh, topology.fluid, x, c.state.nodes.v, Integration::nodal};
+    }
     ContinuitySystem<2> system(const ContinuityControls& controls) const {
-        return {c.problem, controls, c.state.mesh.fluid,         topology, constraints,
-                fluid,     mu,       {tau, projected(controls)}, x,        dofs,
-                A,         newmark};
+        return {step(c.problem), controls, phase(c.problem), {tau, projected(controls)}, x, {dofs, A}};
     }
     /// R_c of pressure p and velocities v without gravity.
     std::vector<double> residual(const std::vector<double>& stabilisationTime, const std::vector<double>& p,
@@ -62,9 +66,8 @@ struct Coupled {
         Nodes<2> trial = c.state.nodes;
         trial.p = p;
         trial.v = v;
-        return continuityResidual<2>(problem, exactly(), c.state.mesh.fluid, topology, fluid, mu,
-                                     {stabilisationTime, projected(exactly())}, trial, trial, c.state.nodes, newmark.dt,
-                                     0);
+        return continuityResidual<2>(step(problem), exactly(), phase(problem),
+                                     {stabilisationTime, projected(exactly())}, {trial, trial, {}, Vec<2>::Zero()});
     }
     Points<2> still() const { return Points<2>(n, Vec<2>::Zero()); }
 };
@@ -95,7 +98,7 @@ TEST(ContinuitySystem, schurTermIsALargerStabilisation) {
     const auto dp = s.system(controls).solve(R);
     // tau L + s dt/rho L, surface 3 tau_n M_G: from residuals with other taus
     std::vector<double> more = s.tau;
-    for (double& t : more) t += 1.5 * s.newmark.dt / 1000;
+    for (double& t : more) t += 1.5 * s.midpoint.dt / 1000;
     const auto volume = s.residual(more, dp, s.still());
     std::vector<double> surface(s.n, 0.0);
     for (const auto& face : s.topology.faces) {
@@ -142,13 +145,13 @@ TEST(ContinuitySystem, complianceOfTheMovingBoundary) {
         }
     EXPECT_LT((A - A.transpose()).norm(), 1e-12 * A.norm());
     const Eigen::VectorXd q = Eigen::Map<const Eigen::VectorXd>(dp.data(), s.n);
-    const Eigen::VectorXd elastic = 2 / s.newmark.gamma * B * A.partialPivLu().solve(B.transpose() * q);
+    const Eigen::VectorXd elastic = 2 / s.midpoint.gamma * B * A.partialPivLu().solve(B.transpose() * q);
     Eigen::VectorXd surface = Eigen::VectorXd::Zero(s.n);
     for (int node = 0; node < s.n; ++node) {
         if (!s.topology.freeSurface[node] || s.topology.onSolid[node]) continue;
         for (int d = 0; d < 2; ++d) {
             const auto b = divergence(node, Vec<2>::Unit(d));
-            surface += 3 / s.newmark.gamma * b.dot(q) / (s.newmark.massFactor() * 1000 * s.fluid.volume[node]) * b;
+            surface += 3 / s.midpoint.gamma * b.dot(q) / (s.midpoint.massFactor() * 1000 * s.fluid.volume[node]) * b;
         }
     }
     const auto rigid = s.residual(s.tau, dp, s.still());

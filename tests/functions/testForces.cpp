@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "caseFolder.hpp"
+#include "functions/balance.hpp"
 #include "momentum/mass.hpp"
 
 namespace pfem {
@@ -99,6 +100,27 @@ TEST(Forces, ReactionBalancesWeightAndInertia) {
         EXPECT_NEAR(force.force[1], expected[1], 1e-4 * total);
         EXPECT_NEAR(force.force[0], expected[0], 1e-4 * total);
     }
+}
+
+// What moves freely is in balance: the forces are those of the step, friction at walls and panes and the damping of
+// short waves included (backward Euler: at its end).
+TEST(Forces, FreeNodesAreInBalance) {
+    TestCase c = makeCase(
+        "meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.5) +
+            " } ); walls ( tank { points ((0 1) (0 0) (1 0) (1 1)); } );",
+        water, "tank { type slip; friction 0.01; } panes { type sideWalls; width 0.2; friction 0.02; }", {0, -10});
+    c.controls.timeIntegration.gamma = 1;
+    c.tolerance(1e-10);
+    for (int i = 0; i < c.state.nodes.size(); ++i) c.state.nodes.v[i] = {1 + 0.2 * std::sin(40.0 * i), 0};
+    const auto topology = c.topology();
+    const auto constraints = c.constraints(topology);
+    c.state.nodes =
+        fsiStep<2>({c.problem, c.state.mesh, topology, constraints, c.state.nodes, {1e-3, 1}}, c.controls).nodes;
+    const auto forces = supportForces<2>(c.problem, c.controls, c.state);
+    double worst = 0;
+    for (int i = 0; i < c.state.nodes.size(); ++i) worst = std::max(worst, constraints.project(i, forces[i]).norm());
+    const double friction = 0.5 * 1000 * 0.01 * 0.1;  // on one face of the floor, at 1 m/s
+    EXPECT_LT(worst, 1e-5 * friction);
 }
 
 TEST(Forces, MistakesPrintTheValidWords) {

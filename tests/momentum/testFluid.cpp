@@ -4,6 +4,7 @@
 
 #include "material/viscosity.hpp"
 #include "momentum/fluidStress.hpp"
+#include "momentum/mass.hpp"
 #include "momentum/residual.hpp"
 #include "support/cases.hpp"
 

@@ -35,7 +35,7 @@ struct Solid {
     Trial trial(const SolidControls& controls, const Nodes<2>& old, const Points<2>& v, double dt) const {
         Nodes<2> t = old;
         t.v = v;
-        for (int i = 0; i < n; ++i) t.x[i] = Newmark{dt}.position<2>(old.x[i], old.v[i], v[i]);
+        for (int i = 0; i < n; ++i) t.x[i] = MidpointRule{dt}.position<2>(old.x[i], old.v[i], v[i]);
         return stressOf(controls, old, t, dt);
     }
     Trial stressOf(const SolidControls& controls, const Nodes<2>& old, const Nodes<2>& t, double dt) const {
@@ -76,12 +76,12 @@ TEST_P(SolidTangent, isTheDerivativeOfTheResidual) {
     controls.stressUpdate = std::get<0>(GetParam());
     controls.damping = std::get<1>(GetParam());
     controls.formulation = std::get<4>(GetParam());
-    const Newmark newmark{2e-3, std::get<2>(GetParam())};
+    const MidpointRule midpoint{2e-3, std::get<2>(GetParam())};
     const auto mass = solidMass<2>(s.c.problem, s.cells, s.c.state.nodes.X);
     const auto& old = s.c.state.nodes;
     const auto dofs = solidDofs<2>(s.topology.solid, s.constraints);
     const auto A = solidMatrix<2>(s.c.problem, controls, s.cells, s.patches(old.x), dofs,
-                                  matrixInertia<2>(mass, Points<2>(s.n, Vec<2>::Zero()), newmark), old.h, newmark);
+                                  matrixInertia<2>(mass, Points<2>(s.n, Vec<2>::Zero()), midpoint), old.h, midpoint);
 
     Points<2> w = randomVectors(s.n, 5);
     for (int i = 0; i < s.n; ++i) w[i] = s.constraints.project(i, w[i]);
@@ -89,8 +89,8 @@ TEST_P(SolidTangent, isTheDerivativeOfTheResidual) {
     const auto residual = [&](double factor) {
         Points<2> v = w;
         for (auto& u : v) u *= factor;
-        Points<2> R = s.force(controls, old, s.trial(controls, old, v, newmark.dt));
-        for (int i = 0; i < s.n; ++i) R[i] += mass[i] * newmark.acceleration<2>(old.v[i], v[i]) / newmark.gamma;
+        Points<2> R = s.force(controls, old, s.trial(controls, old, v, midpoint.dt));
+        for (int i = 0; i < s.n; ++i) R[i] += mass[i] * midpoint.acceleration<2>(old.v[i], v[i]) / midpoint.gamma;
         return gather(dofs, R);
     };
     const Eigen::VectorXd difference = (residual(eps) - residual(-eps)) / (2 * eps);
@@ -101,7 +101,7 @@ TEST_P(SolidTangent, isTheDerivativeOfTheResidual) {
     for (std::size_t k = 0; k < dofs.node.size(); ++k)
         for (int i = 0; i < dofs.count[dofs.node[k]]; ++i)
             inertia[dofs.first[dofs.node[k]] + i] =
-                newmark.massFactor() * mass[dofs.node[k]] * dofs.basis[k].col(i).dot(w[dofs.node[k]]);
+                midpoint.massFactor() * mass[dofs.node[k]] * dofs.basis[k].col(i).dot(w[dofs.node[k]]);
     EXPECT_GT((exact - inertia).norm(), 1e-2 * exact.norm());
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "momentum/fluidStress.hpp"
+#include "momentum/mass.hpp"
 #include "momentum/momentumSystem.hpp"
 #include "momentum/residual.hpp"
 #include "momentum/surfaceStiffness.hpp"
@@ -22,7 +23,7 @@ TEST(MomentumSystem, solutionBalancesTheResidual) {
         const auto constraints = c.constraints(topology);
         const auto& x = c.state.nodes.x;
         const int n = c.state.nodes.size();
-        const Newmark newmark{1e-2};
+        const MidpointRule midpoint{1e-2};
         const auto fluid = makePatches<2>(c.state.mesh.fluid.nodes, topology.fluid, x);
         const auto solid = makePatches<2>(c.state.mesh.solid.nodes, topology.solid, x);
         auto mass = fluidMass<2>(c.problem, c.state.mesh.fluid, fluid);
@@ -31,15 +32,15 @@ TEST(MomentumSystem, solutionBalancesTheResidual) {
         const auto dofs = solidDofs<2>(topology.solid, constraints);
         Points<2> positive = randomVectors(n, 6);
         for (auto& u : positive) u = 1e3 * u.cwiseAbs();
-        const auto inertia = matrixInertia<2>(mass, positive, newmark);
+        const auto inertia = matrixInertia<2>(mass, positive, midpoint);
         const auto A =
-            solidMatrix<2>(c.problem, {}, c.state.mesh.solid, solid, dofs, inertia, c.state.nodes.h, newmark);
+            solidMatrix<2>(c.problem, {}, c.state.mesh.solid, solid, dofs, inertia, c.state.nodes.h, midpoint);
         MomentumControls controls;
         controls.theta = theta;
         controls.linearTolerance = 1e-13;
-        const auto viscosity = flowViscosity<2>(c.problem, c.state.mesh.fluid, fluid, c.state.nodes.v);
-        MomentumSystem<2> system(c.problem, controls, c.state.mesh, topology, constraints, fluid, viscosity, inertia,
-                                 dofs, A, newmark);
+        const FluidPhase<2> phase(c.problem, c.state.mesh, topology.fluid, x, c.state.nodes.v, Integration::nodal);
+        const Step<2> step{c.problem, c.state.mesh, topology, constraints, c.state.nodes, midpoint};
+        MomentumSystem<2> system(step, controls, phase, inertia, {dofs, A});
 
         Points<2> R = randomVectors(n, 4);
         const auto dv = system.solve(R);
@@ -47,9 +48,9 @@ TEST(MomentumSystem, solutionBalancesTheResidual) {
 
         std::vector<double> bulk;
         if (theta > 0)
-            for (double volume : fluid.volume) bulk.push_back(theta * 1000 * volume / newmark.dt);
+            for (double volume : fluid.volume) bulk.push_back(theta * 1000 * volume / midpoint.dt);
         Points<2> sum = R;
-        addInternalForce<2>(fluid, fluidTangentStress<2>(fluid, viscosity, dv, bulk), sum);
+        addInternalForce<2>(fluid, fluidTangentStress<2>(fluid, phase.viscosity, dv, bulk), sum);
         Eigen::VectorXd u(dofs.n);
         for (std::size_t k = 0; k < dofs.node.size(); ++k) u.segment<2>(dofs.first[dofs.node[k]]) = dv[dofs.node[k]];
         const Eigen::VectorXd Au = A.multiply(u);  // carries the fluid's mass at the interface too
@@ -85,17 +86,19 @@ TEST(MomentumSystem, aFewLightNodesDoNotMakeAThickFluid) {
                 c.state.nodes.x[i] = base + flat * (c.state.nodes.x[i] - base);
             }
         const auto constraints = c.constraints(topology);
-        const Newmark newmark{1e-3};
+        const MidpointRule midpoint{1e-3};
         const auto fluid = makePatches<2>(c.state.mesh.fluid.nodes, topology.fluid, c.state.nodes.x);
         const auto mass = fluidMass<2>(c.problem, c.state.mesh.fluid, fluid);
-        const auto viscosity = flowViscosity<2>(c.problem, c.state.mesh.fluid, fluid, c.state.nodes.v);
-        MomentumSystem<2> system(c.problem, {}, c.state.mesh, topology, constraints, fluid, viscosity,
-                                 matrixInertia<2>(mass, Points<2>(mass.size(), Vec<2>::Zero()), newmark),
-                                 solidDofs<2>(topology.solid, constraints), {}, newmark);
+        const FluidPhase<2> phase(c.problem, c.state.mesh, topology.fluid, c.state.nodes.x, c.state.nodes.v,
+                                  Integration::nodal);
+        const Step<2> step{c.problem, c.state.mesh, topology, constraints, c.state.nodes, midpoint};
+        MomentumSystem<2> system(step, {}, phase,
+                                 matrixInertia<2>(mass, Points<2>(mass.size(), Vec<2>::Zero()), midpoint),
+                                 {solidDofs<2>(topology.solid, constraints), {}});
         EXPECT_GE(light, 0);
         Points<2> R(c.state.nodes.size(), Vec<2>::Zero());
         R[light] = {1, 0};
-        const double inertia = newmark.massFactor() * mass[light];
+        const double inertia = midpoint.massFactor() * mass[light];
         return std::tuple(system.viscousNumber(), system.isViscous(), -1 / (system.solve(R)[light][0] * inertia) - 1);
     };
     const auto [water, waterIsThick, waterRatio] = number(0.1, 1);
@@ -120,8 +123,8 @@ TEST(SurfaceStiffness, isThatOfGravityWaves) {
                               " } ); walls ( tank { points ((0 0.8) (0 0) (1 0) (1 0.8)); } );",
                           water, "tank { type slip; }");
     const auto topology = c.topology();
-    const Newmark newmark{1e-2, 0.7};
-    const auto stiffness = surfaceStiffness<2>(c.problem, c.state.mesh.fluid, topology, c.state.nodes.x, newmark);
+    const MidpointRule midpoint{1e-2, 0.7};
+    const auto stiffness = surfaceStiffness<2>(c.problem, c.state.mesh.fluid, topology, c.state.nodes.x, midpoint);
     Points<2> x = c.state.nodes.x;
     const double du = 1e-3;
     for (int i = 0; i < c.state.nodes.size(); ++i)
@@ -136,28 +139,29 @@ TEST(SurfaceStiffness, isThatOfGravityWaves) {
     addPressureForce<2>(patches, p, R);
     for (int i = 0; i < c.state.nodes.size(); ++i) {
         EXPECT_EQ(stiffness[i][0], 0);
-        EXPECT_NEAR(stiffness[i][1], topology.freeSurface[i] ? R[i][1] / du * 0.5 * newmark.dt : 0, 1e-9);
+        EXPECT_NEAR(stiffness[i][1], topology.freeSurface[i] ? R[i][1] / du * 0.5 * midpoint.dt : 0, 1e-9);
     }
 }
 
 // d(residual)/dv of the inertia over gamma: 1/(gamma dt) m, with the midpoint rule 2 m/dt.
 TEST(MomentumResidual, inertiaAgainstFiniteDifferences) {
-    const Newmark newmark{1e-2};
+    const MidpointRule midpoint{1e-2};
     const Vec<2> vOld(1, -2), v(1.1, -1.7), w(0.3, 0.9);
     const double eps = 1e-3;
     const Vec<2> slope =
-        (newmark.acceleration<2>(vOld, v + eps * w) - newmark.acceleration<2>(vOld, v - eps * w)) / (2 * eps);
-    EXPECT_LT((slope - newmark.gamma * newmark.massFactor() * w).norm(), 1e-9);  // the forces' derivative is by v^{n+1}
-    EXPECT_NEAR(newmark.massFactor(), 2 / 1e-2, 1e-12);
+        (midpoint.acceleration<2>(vOld, v + eps * w) - midpoint.acceleration<2>(vOld, v - eps * w)) / (2 * eps);
+    EXPECT_LT((slope - midpoint.gamma * midpoint.massFactor() * w).norm(),
+              1e-9);  // the forces' derivative is by v^{n+1}
+    EXPECT_NEAR(midpoint.massFactor(), 2 / 1e-2, 1e-12);
 }
 
-TEST(Newmark, constantAccelerationIsExact) {
+TEST(MidpointRule, constantAccelerationIsExact) {
     for (const double gamma : {0.5, 0.75, 1.0}) {
-        const Newmark newmark{0.1, gamma};
+        const MidpointRule midpoint{0.1, gamma};
         const Vec<2> a(0, -9.81), v(1, 2), x(3, 4);
         const Vec<2> next = v + 0.1 * a;
-        EXPECT_LT((newmark.acceleration<2>(v, next) - a).norm(), 1e-13);
-        EXPECT_LT((newmark.position<2>(x, v, next) - (x + 0.1 * v + 0.005 * a)).norm(), 1e-15);
+        EXPECT_LT((midpoint.acceleration<2>(v, next) - a).norm(), 1e-13);
+        EXPECT_LT((midpoint.position<2>(x, v, next) - (x + 0.1 * v + 0.005 * a)).norm(), 1e-15);
     }
 }
 
@@ -174,12 +178,12 @@ TEST(MomentumResidual, weightTractionAndInertia) {
     const int corner = nearestNode(nodes.x, {1, 0}), middle = nearestNode(nodes.x, {1, 0.25});
     EXPECT_NEAR(traction[corner][0] / traction[middle][0], 0.5, 1e-9);  // half an edge each
 
-    const auto fluid = makePatches<2>(c.state.mesh.fluid.nodes, topology.fluid, nodes.x);
-    const auto solid = makePatches<2>(c.state.mesh.solid.nodes, topology.solid, nodes.x);
-    const auto mass = solidMass<2>(c.problem, c.state.mesh.solid, nodes.X);
     const Vec<2> a(0.5, 0.25), g(0, -9.81);
-    const auto R = momentumResidual<2>(mass, Points<2>(nodes.size(), a), g, fluid, nodes.p, solid,
-                                       std::vector<Tensor<2>>(solid.nCells(), Tensor<2>::Zero()), traction);
+    Nodes<2> moved = nodes;
+    moved.a.assign(nodes.size(), a);
+    const FluidPhase<2> fluid(c.problem, c.state.mesh, topology.fluid, nodes.x, nodes.v, Integration::nodal);
+    const SolidPhase<2> solid(c.problem, c.controls.solid, c.state.mesh, topology.solid, nodes, Integration::nodal);
+    const auto R = momentumResidual<2>(nodalMass<2>(fluid, solid), moved, fluid, solid, traction, 1);
     Vec<2> sum = Vec<2>::Zero();
     for (const auto& r : R) sum += r;
     EXPECT_LT((sum - (1500 * 0.5 * (a - g) - total)).norm(), 1e-9);

@@ -32,7 +32,8 @@ TEST_P(ConvergedStep, isTheSame) {
     const auto topology = c.topology();
     const auto constraints = c.constraints(topology);
     const auto step = [&](const Controls& controls) {
-        return fsiStep<2>(c.problem, controls, c.state.mesh, topology, constraints, c.state.nodes, 2e-3, 0);
+        const double gamma = controls.timeIntegration.gamma;
+        return fsiStep<2>({c.problem, c.state.mesh, topology, constraints, c.state.nodes, {2e-3, gamma}}, controls);
     };
     const auto base = step(c.controls);
     Controls changed = c.controls;
@@ -73,10 +74,11 @@ TEST(ViscousPressure, takesFewerIterationsToTheSameStep) {
     for (int n = 0; n < 5; ++n) c.step(5e-3);
     c.tolerance(1e-8);
     const auto topology = c.topology();
+    const auto constraints = c.constraints(topology);
     const auto step = [&](double scale) {
         c.controls.continuity.viscousScale = scale;
-        return fsiStep<2>(c.problem, c.controls, c.state.mesh, topology, c.constraints(topology), c.state.nodes, 5e-3,
-                          0);
+        const double gamma = c.controls.timeIntegration.gamma;
+        return fsiStep<2>({c.problem, c.state.mesh, topology, constraints, c.state.nodes, {5e-3, gamma}}, c.controls);
     };
     const auto with = step(1), without = step(0);
     EXPECT_LT(with.report.iterations, 0.8 * without.report.iterations);

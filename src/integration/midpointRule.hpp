@@ -2,13 +2,12 @@
 // Time integration in velocities: the midpoint rule in place of Newmark's trapezoidal (22); doc/theory.md, section 3.
 
 #include "base/types.hpp"
-#include "state/unseenPart.hpp"
 
 namespace pfem {
 
 /// v^{n+1} = v^n + dt a,   x^{n+1} = x^n + dt/2 (v^n + v^{n+1}),   a and all forces at t^n + gamma dt: x = (1-gamma)
 /// x^n + gamma x^{n+1} and v likewise. gamma 1/2: midpoint rule, 1: backward Euler.
-struct Newmark {
+struct MidpointRule {
     double dt;  // [s]
     double gamma = 0.5;
 

@@ -1,0 +1,29 @@
+#include "momentum/fluidPhase.hpp"
+
+namespace pfem {
+
+template <int Dim>
+FluidPhase<Dim>::FluidPhase(const Problem<Dim>& ofProblem, const Mesh<Dim>& mesh, const NodeToCells& around,
+                            const Points<Dim>& x, const Points<Dim>& v, Integration scheme)
+    : problem(ofProblem),
+      cells(mesh.fluid),
+      patches(makePatches<Dim>(mesh.fluid.nodes, around, x, scheme)),
+      newtonian(isNewtonian<Dim>(problem)),
+      viscosity(flowViscosity<Dim>(problem, cells, patches, v)),
+      mu(fromPoints<Dim>(patches, viscosity.mu)) {}
+
+template <int Dim>
+void FluidPhase<Dim>::flow(const Points<Dim>& v) {
+    if (newtonian) return;
+    viscosity = flowViscosity<Dim>(problem, cells, patches, v);
+    mu = fromPoints<Dim>(patches, viscosity.mu);
+}
+
+template <int Dim>
+std::vector<double> FluidPhase<Dim>::tangent() const {
+    return newtonian ? mu : fromPoints<Dim>(patches, tangentViscosity<Dim>(viscosity));
+}
+
+template struct FluidPhase<2>;
+
+}  // namespace pfem

@@ -1,0 +1,32 @@
+#pragma once
+// The fluid of an iterate: its patches and its viscosity.
+
+#include "momentum/fluidStress.hpp"
+
+namespace pfem {
+
+/// What both equations need to know of the fluid in one configuration.
+template <int Dim>
+struct FluidPhase {
+    const Problem<Dim>& problem;
+    const Cells<Dim>& cells;
+    Patches<Dim> patches;
+    bool newtonian;                // does the viscosity not depend on the flow?
+    FlowViscosity<Dim> viscosity;  // of the stress points
+    std::vector<double> mu;        // of the cells [Pa s]
+
+    /// At x, in the flow v. The references must outlive the phase.
+    FluidPhase(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const NodeToCells& around, const Points<Dim>& x,
+               const Points<Dim>& v, Integration scheme);
+
+    /// The patches at x.
+    void moveTo(const Points<Dim>& x) { updatePatches<Dim>(patches, x); }
+
+    /// The viscosity in the flow v, where it depends on it.
+    void flow(const Points<Dim>& v);
+
+    /// Viscosity of the cells against a change of the flow in its own direction [Pa s].
+    std::vector<double> tangent() const;
+};
+
+}  // namespace pfem

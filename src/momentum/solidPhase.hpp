@@ -1,0 +1,29 @@
+#pragma once
+// The solids of an iterate: patches, mass, stress.
+
+#include "momentum/solidStress.hpp"
+#include "momentum/trial.hpp"
+
+namespace pfem {
+
+/// What the momentum equation needs to know of the solids in one configuration.
+template <int Dim>
+struct SolidPhase {
+    const Problem<Dim>& problem;
+    const SolidControls& controls;
+    const Cells<Dim>& cells;
+    Patches<Dim> patches;                    // at the end of the step
+    Patches<Dim> gradients;                  // at the positions that the stress update asks for
+    std::vector<double> mass;                // of the nodes, constant
+    SolidStress<Dim> stress;                 // sigma^{n+1}
+    std::vector<Tensor<Dim>> elementStress;  // whose force is that of `stress` and of the damper
+
+    /// As it is stored in `nodes`. The references must outlive the phase.
+    SolidPhase(const Problem<Dim>& problem, const SolidControls& controls, const Mesh<Dim>& mesh,
+               const NodeToCells& around, const Nodes<Dim>& nodes, Integration scheme);
+
+    /// Patches and stress of the iterate `end`, dt after `old`.
+    void moveTo(const Nodes<Dim>& old, const Nodes<Dim>& end, double dt);
+};
+
+}  // namespace pfem

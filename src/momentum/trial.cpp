@@ -1,0 +1,101 @@
+#include "momentum/trial.hpp"
+
+#include <algorithm>
+
+#include "base/parallel.hpp"
+
+namespace pfem {
+
+namespace {
+
+/// Positions and accelerations at the end of the step that follow from its velocities (22).
+template <int Dim>
+void moveEnd(const Step<Dim>& step, Nodes<Dim>& end) {
+    const auto& [problem, mesh, topology, constraints, old, midpoint, divTarget] = step;
+    const double dt = midpoint.dt;
+    forEach(old.size(), [&](int i) {
+        if (constraints.hold[i] == Hold::fixed && !constraints.isMoved(i)) {
+            if (topology.isolated(i)) end.v[i] = end.a[i] = Vec<Dim>::Zero();  // a drop on a wall that it sticks to
+            return;
+        }
+        const Vec<Dim> fall = constraints.project(i, problem.gravity);
+        if (topology.isolated(i)) {
+            end.v[i] = old.v[i] + dt * fall;
+            end.p[i] = 0;
+        }
+        end.x[i] = midpoint.template position<Dim>(old.x[i], old.v[i], end.v[i]);
+        end.a[i] = topology.isolated(i) ? fall
+                   : topology.wet(i)    ? midpoint.template acceleration<Dim>(old.v[i], end.v[i])
+                                        : midpoint.template endAcceleration<Dim>(old.v[i], end.v[i], old.a[i]);
+        if (!constraints.isMoved(i)) return;
+        end.x[i] = constraints.position(i, old.x[i], end.x[i]);
+        end.v[i] = constraints.velocity(i, end.x[i], end.v[i]);
+        end.a[i] = constraints.combine(i, end.a[i], (end.v[i] - old.v[i]) / dt);  // no ringing after a jump
+    });
+}
+
+/// Positions and velocities in the middle of the step, and its acceleration.
+template <int Dim>
+void moveMiddle(const Step<Dim>& step, Trial<Dim>& trial) {
+    const Nodes<Dim>&old = step.old, &end = trial.end;
+    forEach(old.size(), [&](int i) {
+        trial.middle.x[i] = step.midpoint.template middle<Dim>(old.x[i], end.x[i]);
+        trial.middle.v[i] = step.midpoint.template middle<Dim>(old.v[i], end.v[i]);
+        trial.middle.a[i] = step.midpoint.template acceleration<Dim>(old.v[i], end.v[i]);
+    });
+}
+
+/// rho g, with which the pressure of a node that is moved within the iteration changes when it keeps its depth; zero in
+/// steps that are short beside sqrt(h/g), where nothing moves far and a fall needs no pressure [Pa/m].
+template <int Dim>
+Vec<Dim> depthGradient(const Problem<Dim>& problem, const Nodes<Dim>& nodes, double dt) {
+    const auto fluid = std::find_if(problem.materials.begin(), problem.materials.end(),
+                                    [](const Material& m) { return m.kind == MaterialKind::fluid; });
+    const double h = nodes.h.empty() ? 0 : *std::min_element(nodes.h.begin(), nodes.h.end());
+    if (fluid == problem.materials.end() || problem.gravity.norm() * dt * dt < 0.1 * h) return Vec<Dim>::Zero();
+    return fluid->fluid.rho * problem.gravity;
+}
+
+/// p + gradient . x of the wet nodes; others keep p.
+template <int Dim>
+std::vector<double> withDepth(const Vec<Dim>& gradient, const Topology<Dim>& topology, const Points<Dim>& x,
+                              std::vector<double> p) {
+    forEach(topology.nNodes(), [&](int i) {
+        if (topology.wet(i)) p[i] += gradient.dot(x[i]);
+    });
+    return p;
+}
+
+}  // namespace
+
+template <int Dim>
+void setExcess(const Step<Dim>& step, std::vector<double> excess, Trial<Dim>& trial) {
+    trial.excess = std::move(excess);
+    trial.middle.p = trial.end.p = withDepth<Dim>(trial.depth, step.topology, trial.middle.x, trial.excess);
+}
+
+template <int Dim>
+Trial<Dim> firstTrial(const Step<Dim>& step) {
+    const Nodes<Dim>& old = step.old;
+    Trial<Dim> trial{old, old, {}, depthGradient<Dim>(step.problem, old, step.dt())};
+    moveEnd(step, trial.end);
+    moveMiddle(step, trial);
+    setExcess(step, withDepth<Dim>(-trial.depth, step.topology, old.x, old.p), trial);
+    return trial;
+}
+
+template <int Dim>
+void changeVelocity(const Step<Dim>& step, double part, const Points<Dim>& dv, Trial<Dim>& trial) {
+    forEach(trial.end.size(), [&](int i) { trial.end.v[i] += part * dv[i]; });
+    moveEnd(step, trial.end);
+    moveMiddle(step, trial);
+    setExcess(step, std::move(trial.excess), trial);
+}
+
+#define PFEM_INSTANTIATE(D)                                                               \
+    template Trial<D> firstTrial<D>(const Step<D>&);                                      \
+    template void changeVelocity<D>(const Step<D>&, double, const Points<D>&, Trial<D>&); \
+    template void setExcess<D>(const Step<D>&, std::vector<double>, Trial<D>&);
+PFEM_INSTANTIATE(2)
+
+}  // namespace pfem

@@ -1,0 +1,68 @@
+#include "solver/consistentStart.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "solver/convergence.hpp"
+
+namespace pfem {
+
+template <int Dim>
+Nodes<Dim> consistentStart(Problem<Dim> problem, const Controls& asGiven, const State<Dim>& state,
+                           const Topology<Dim>& topology, const ConstraintsOver<Dim>& constraintsOver, double moment) {
+    const Nodes<Dim>& nodes = state.nodes;
+    // a fluid without free surface has its pressure up to a constant: a trace of compressibility says which
+    const bool open =
+        std::find(topology.freeSurface.begin(), topology.freeSurface.end(), 1) != topology.freeSurface.end();
+    double h = 0;
+    for (double size : nodes.h) h = std::max(h, size);
+    for (auto& material : problem.materials)
+        material.fluid.kappa = open ? 1e300 : 1e8 * material.fluid.rho * h * h / (moment * moment);
+    Controls controls = asGiven;
+    const double firstStep = 1e3 * moment;
+    controls.timeIntegration.gamma = 1;
+    controls.convergence.tolU = 1e-11;
+    controls.convergence.tolP = open ? 1e-11 : 1e-6;
+    controls.convergence.maxIterations = 300;
+    double t = 0;  // walls that accelerate go on doing so
+    const auto over = [&](const Controls& with, const NodeConstraints<Dim>& constraints, const Nodes<Dim>& from,
+                          double dt) {
+        const Step<Dim> step{problem, state.mesh, topology, constraints, from, {dt, with.timeIntegration.gamma}};
+        return fsiStep<Dim>(step, with).nodes;
+    };
+    const auto step = [&](const Nodes<Dim>& from) {
+        const auto constraints = constraintsOver(t, t + moment);
+        t += moment;
+        return over(controls, constraints, from, moment);
+    };
+    Nodes<Dim> start = nodes;
+    // Impulses until no more changes v: each leaves the part that the stabilisation forgives. Steady forces change it
+    // by the same in each moment; that is taken off again.
+    int impulses = 0;
+    double last = std::numeric_limits<double>::max();
+    Nodes<Dim> next = step(start);
+    while (impulses < 50 && rms<Dim>(nodes.v) > 0) {
+        const double change = moment * rms<Dim>(next.a);
+        if (change < 5e-4 * rms<Dim>(next.v) || change > 0.99 * last) break;
+        last = change;
+        start.v = next.v;
+        ++impulses;
+        next = step(start);
+    }
+    if (impulses == 0) {
+        start.p = next.p;
+        start.a = next.a;
+        return start;
+    }
+    for (int i = 0; i < start.size(); ++i) start.v[i] -= impulses * moment * next.a[i];
+    // what is left of the impulses is no pressure: that of a first step of usual length is
+    const Nodes<Dim> first = over(asGiven, constraintsOver(0, firstStep), start, firstStep);
+    start.p = first.p;
+    start.a = first.a;
+    return start;
+}
+
+template Nodes<2> consistentStart<2>(Problem<2>, const Controls&, const State<2>&, const Topology<2>&,
+                                     const ConstraintsOver<2>&, double);
+
+}  // namespace pfem

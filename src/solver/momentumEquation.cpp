@@ -1,0 +1,63 @@
+#include "solver/momentumEquation.hpp"
+
+#include <algorithm>
+
+#include "base/parallel.hpp"
+#include "momentum/surfaceStiffness.hpp"
+#include "solver/scales.hpp"
+
+namespace pfem {
+
+template <int Dim>
+MomentumSystem<Dim> MomentumEquation<Dim>::makeSystem(const Controls& controls) const {
+    const auto diagonal = inertia();
+    SolidBlock<Dim> block;
+    block.dofs = solidDofs<Dim>(step_.topology.solid, step_.constraints);
+    block.matrix = solidMatrix<Dim>(step_.problem, controls.solid, step_.mesh.solid, solid_.patches, block.dofs,
+                                    diagonal, step_.old.h, step_.midpoint);
+    return MomentumSystem<Dim>(step_, controls.momentum, fluid_, diagonal, std::move(block));
+}
+
+template <int Dim>
+MomentumEquation<Dim>::MomentumEquation(const Step<Dim>& step, const Controls& controls, const FluidPhase<Dim>& fluid,
+                                        const SolidPhase<Dim>& solid)
+    : step_(step),
+      fluid_(fluid),
+      solid_(solid),
+      waveDamping_(controls.momentum.waveDamping),
+      tolerance_(controls.convergence.tolU),
+      solidForceOld_(step.old.size(), Vec<Dim>::Zero()),
+      stiffness_(surfaceStiffness<Dim>(step.problem, step.mesh.fluid, step.topology, step.old.x, step.midpoint)),
+      mass_(nodalMass<Dim>(fluid, solid)),
+      system_(makeSystem(controls)) {
+    addInternalForce<Dim>(solid.patches, solid.elementStress, solidForceOld_);
+}
+
+template <int Dim>
+Points<Dim> MomentumEquation<Dim>::residual(const Trial<Dim>& trial, double change) {
+    const int n = trial.end.size();
+    const double gamma = step_.gamma();
+    if (!fluid_.newtonian) system_.updateViscosity();
+    mass_ = nodalMass<Dim>(fluid_, solid_);
+    const double damped =
+        2 * waveDamping_ * step_.dt() * std::sqrt(step_.problem.gravity.norm() / meanSize<Dim>(step_.old));
+    if (viscous_.empty() || std::max(system_.viscousNumber(), damped) * change > 0.1 * tolerance_)
+        viscous_ = viscousForces<Dim>(fluid_, waveDamping_, trial.middle);
+    auto external = externalForce<Dim>(step_.mesh, step_.topology, fluid_, trial.middle);
+    forEach(n, [&](int i) { external[i] -= viscous_[i] + (1 - gamma) * solidForceOld_[i]; });
+    auto R = momentumResidual<Dim>(mass_, trial.middle, fluid_, solid_, external, gamma);
+    forEach(n, [&](int i) { R[i] /= gamma; });
+    return R;
+}
+
+template <int Dim>
+Points<Dim> MomentumEquation<Dim>::solve(const Points<Dim>& residual) {
+    system_.setInertia(inertia());
+    auto dv = system_.solve(residual);
+    linearIterations_ += system_.linearIterations();
+    return dv;
+}
+
+template class MomentumEquation<2>;
+
+}  // namespace pfem

@@ -1,0 +1,25 @@
+#pragma once
+// Sizes beside which the changes of an iteration are measured.
+
+#include "momentum/fluidPhase.hpp"
+#include "momentum/step.hpp"
+
+namespace pfem {
+
+/// Mean of the nodes' wanted distances [m].
+template <int Dim>
+double meanSize(const Nodes<Dim>& nodes);
+
+/// A speed that moves nothing within a step: so that where nothing moves yet no change is measured by round-off, that
+/// of far places included [m/s].
+template <int Dim>
+double unseenSpeed(const Step<Dim>& step);
+
+/// Largest density times g times the mean node distance: the pressure that one layer of fluid makes [Pa]. Added to it:
+/// a part of rho v^2, which keeps the round-off of a flow without gravity or pressure from counting as a change; what
+/// cannot be told apart of the velocities over the length of the step and the tolerance; what stops `unseenSpeed`
+/// within the step; and the root mean square of 2 mu |d| over the cells, beside which a pressure need not be exact.
+template <int Dim>
+double pressureScale(const Step<Dim>& step, const FluidPhase<Dim>& fluid, double tolerance);
+
+}  // namespace pfem

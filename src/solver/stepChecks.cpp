@@ -1,0 +1,63 @@
+#include "solver/stepChecks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "base/parallel.hpp"
+
+namespace pfem {
+
+template <int Dim>
+bool collapses(const FluidPhase<Dim>& phase, const Points<Dim>& x) {
+    const Patches<Dim>& fluid = phase.patches;
+    const auto collapsing = [&](int e) {
+        return simplexMeasure<Dim>(x, fluid.cell(e)) < 0.2 * fluid.element[e].measure;
+    };
+    return firstOf(fluid.nCells(), collapsing) < fluid.nCells();
+}
+
+template <int Dim>
+void checkPatches(const FluidPhase<Dim>& fluidPhase, const SolidPhase<Dim>& solidPhase, const Nodes<Dim>& nodes) {
+    const auto& [fluid, solid] = std::tie(fluidPhase.patches, solidPhase.patches);
+    const auto place = [&](const Vec<Dim>& x) { return fmt::format("({:.6g} {:.6g})", x[0], x[1]); };
+    for (int e = 0; e < solid.nCells(); ++e)
+        if (!(solid.element[e].measure > 0))
+            throw StepFailure("solid element inverted at " + place(simplexCentroid<Dim>(nodes.x, solid.cell(e))),
+                              idsOf<Dim>(nodes, solid.cell(e)));
+    for (int i = 0; i < fluid.nNodes(); ++i)
+        if (fluid.around->count(i) > 0 && !(fluid.volume[i] > 0))
+            throw StepFailure(fmt::format("fluid patch of node {} inverted at {}", nodes.id[i], place(nodes.x[i])),
+                              {nodes.id[i]});
+}
+
+template <int Dim>
+StepFailure notConverged(const StepReport& report, const std::vector<double>& dp, const Nodes<Dim>& nodes,
+                         const Patches<Dim>& fluid) {
+    const NodeToCells& around = *fluid.around;
+    const auto text = fmt::format("no convergence in {} iterations: |dv|/|v| = {:.3g}, |dp|/|p| = {:.3g}",
+                                  report.iterations, report.finalU, report.finalP);
+    const auto worst =
+        std::max_element(dp.begin(), dp.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+    if (worst == dp.end() || *worst == 0) return StepFailure(text);
+    const int i = static_cast<int>(worst - dp.begin());
+    double least = std::numeric_limits<double>::max();
+    for (int s = around.start[i]; s < around.start[i + 1]; ++s)
+        least = std::min(least, fluid.element[around.cell[s]].measure);
+    return StepFailure(
+        text + fmt::format("; worst at ({:.6g} {:.6g}), node {} with {} triangles, smallest {:.3g} h^{}", nodes.x[i][0],
+                           nodes.x[i][1], nodes.id[i], around.count(i), least / std::pow(nodes.h[i], Dim), Dim),
+        {nodes.id[i]});
+}
+
+#define PFEM_INSTANTIATE(D)                                                                              \
+    template bool collapses<D>(const FluidPhase<D>&, const Points<D>&);                                  \
+    template void checkPatches<D>(const FluidPhase<D>&, const SolidPhase<D>&, const Nodes<D>&);          \
+    template StepFailure notConverged<D>(const StepReport&, const std::vector<double>&, const Nodes<D>&, \
+                                         const Patches<D>&);
+PFEM_INSTANTIATE(2)
+
+}  // namespace pfem
