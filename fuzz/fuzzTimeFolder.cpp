@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/atomicFile.hpp"
 #include "base/error.hpp"
-#include "io/atomicFile.hpp"
 #include "io/stateFiles.hpp"
 
 using namespace pfem;

@@ -8,12 +8,12 @@
 #include "application/optionValues.hpp"
 #include "application/runApplication.hpp"
 #include "application/runProgram.hpp"
+#include "base/atomicFile.hpp"
 #include "bounds/plotScript.hpp"
 #include "bounds/report.hpp"
 #include "bounds/runTwin.hpp"
 #include "case/interrupt.hpp"
 #include "functions/functionEntries.hpp"
-#include "io/atomicFile.hpp"
 
 using namespace pfem;
 

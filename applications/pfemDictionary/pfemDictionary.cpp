@@ -3,10 +3,10 @@
 #include <iostream>
 
 #include "application/runApplication.hpp"
+#include "base/atomicFile.hpp"
 #include "dictionary/dictionary.hpp"
 #include "dictionary/edit.hpp"
 #include "dictionary/print.hpp"
-#include "io/atomicFile.hpp"
 
 using namespace pfem;
 

@@ -10,12 +10,12 @@
 #include "application/runApplication.hpp"
 #include "case/runLock.hpp"
 #include "case/timeFolders.hpp"
+#include "conditions/boundaryConditions.hpp"
 #include "io/series.hpp"
 #include "io/stateFiles.hpp"
 #include "mesher/meshFile.hpp"
 #include "mesher/meshReport.hpp"
 #include "mesher/readMeshDict.hpp"
-#include "conditions/boundaryConditions.hpp"
 #include "solver/checkProblem.hpp"
 
 using namespace pfem;

@@ -7,9 +7,9 @@
 #include <set>
 #include <sstream>
 
+#include "base/atomicFile.hpp"
 #include "base/error.hpp"
 #include "case/timeFolders.hpp"
-#include "io/atomicFile.hpp"
 
 namespace pfem {
 

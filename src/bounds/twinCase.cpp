@@ -6,11 +6,11 @@
 #include <set>
 #include <sstream>
 
+#include "base/atomicFile.hpp"
 #include "base/error.hpp"
 #include "case/timeFolders.hpp"
 #include "dictionary/dictionary.hpp"
 #include "dictionary/print.hpp"
-#include "io/atomicFile.hpp"
 #include "io/stateFiles.hpp"
 #include "io/textHeader.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <sstream>
 
+#include "base/atomicFile.hpp"
 #include "dictionary/flatEntries.hpp"
-#include "io/atomicFile.hpp"
 
 namespace pfem {
 

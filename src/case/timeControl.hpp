@@ -9,8 +9,8 @@
 #include "case/case.hpp"
 #include "case/controlDict.hpp"
 #include "case/timeFolders.hpp"
+#include "case/timeInfo.hpp"
 #include "case/writeControl.hpp"
-#include "state/state.hpp"
 
 namespace pfem {
 

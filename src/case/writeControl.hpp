@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "state/state.hpp"
+#include "case/timeInfo.hpp"
 
 namespace pfem {
 

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "base/atomicFile.hpp"
 #include "base/error.hpp"
 #include "case/timeFolders.hpp"
 #include "functions/sampling.hpp"
 #include "functions/sensors.hpp"
-#include "io/atomicFile.hpp"
 
 namespace pfem {
 

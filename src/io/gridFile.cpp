@@ -17,8 +17,8 @@
 #include <string>
 #include <vector>
 
+#include "base/atomicFile.hpp"
 #include "base/error.hpp"
-#include "io/atomicFile.hpp"
 #include "io/gridCheck.hpp"
 
 namespace pfem {

@@ -7,8 +7,8 @@
 
 #include <cmath>
 
+#include "base/atomicFile.hpp"
 #include "base/error.hpp"
-#include "io/atomicFile.hpp"
 #include "io/gridCheck.hpp"
 #include "io/gridFile.hpp"
 

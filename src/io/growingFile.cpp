@@ -7,8 +7,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "base/atomicFile.hpp"
 #include "base/error.hpp"
-#include "io/atomicFile.hpp"
 
 namespace pfem {
 

@@ -4,8 +4,8 @@
 
 #include <sstream>
 
+#include "base/atomicFile.hpp"
 #include "case/timeFolders.hpp"
-#include "io/atomicFile.hpp"
 
 namespace pfem {
 

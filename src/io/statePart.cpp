@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-#include "io/atomicFile.hpp"
+#include "base/atomicFile.hpp"
 #include "io/gridArrays.hpp"
 #include "io/gridCheck.hpp"
 #include "io/gridFile.hpp"

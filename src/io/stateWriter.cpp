@@ -1,5 +1,5 @@
+#include "base/atomicFile.hpp"
 #include "base/error.hpp"
-#include "io/atomicFile.hpp"
 #include "io/gridBuilder.hpp"
 #include "io/gridFile.hpp"
 #include "io/stateFiles.hpp"

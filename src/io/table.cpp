@@ -8,8 +8,8 @@
 #include <cstring>
 #include <iostream>
 
+#include "base/atomicFile.hpp"
 #include "base/error.hpp"
-#include "io/atomicFile.hpp"
 #include "io/history.hpp"
 
 namespace pfem {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "walls/feet.hpp"
 #include "mesher/hilbertOrder.hpp"
 #include "mesher/wallLines.hpp"
+#include "walls/feet.hpp"
 
 namespace pfem {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "io/atomicFile.hpp"
+#include "base/atomicFile.hpp"
 #include "io/stateFiles.hpp"
 #include "solver/outputFields.hpp"
 

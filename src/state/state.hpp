@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/types.hpp"
+#include "case/timeInfo.hpp"
 #include "mesh/mesh.hpp"
 #include "state/energyCauses.hpp"
 #include "state/volumeLedger.hpp"
@@ -38,14 +39,6 @@ struct Nodes {
 
     /// The nodes with these indices, in their order.
     Nodes taken(const std::vector<int>& indices) const;
-};
-
-/// Time and step; what OpenFOAM keeps in <time>/uniform/time.
-struct TimeInfo {
-    double value = 0;    // [s]
-    int index = 0;       // steps since the start
-    double deltaT = 0;   // the step that led here [s]; of fixed steps what it should have been: longer when it was cut
-    double deltaT0 = 0;  // the step that led here [s]
 };
 
 template <int Dim>

@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "../io/sampleState.hpp"
+#include "base/atomicFile.hpp"
 #include "functions/functionObjects.hpp"
-#include "io/atomicFile.hpp"
 #include "support/cases.hpp"
 
 namespace pfem::test {

@@ -4,11 +4,11 @@
 #include <sstream>
 
 #include "../io/sampleState.hpp"
+#include "base/atomicFile.hpp"
 #include "base/error.hpp"
 #include "case/timeFolders.hpp"
 #include "functions/functionObjects.hpp"
 #include "functions/massBalance.hpp"
-#include "io/atomicFile.hpp"
 #include "io/stateFiles.hpp"
 #include "mesh/locate.hpp"
 

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <optional>
 
+#include "base/atomicFile.hpp"
 #include "base/error.hpp"
-#include "io/atomicFile.hpp"
 #include "io/series.hpp"
 #include "io/stateFiles.hpp"
 #include "io/table.hpp"

@@ -6,8 +6,8 @@
 
 #include <fstream>
 
+#include "base/atomicFile.hpp"
 #include "base/error.hpp"
-#include "io/atomicFile.hpp"
 #include "io/series.hpp"
 #include "sampleState.hpp"
 

@@ -1,8 +1,8 @@
 #include <fstream>
 #include <limits>
 
+#include "base/atomicFile.hpp"
 #include "base/error.hpp"
-#include "io/atomicFile.hpp"
 #include "io/stateFiles.hpp"
 #include "sampleState.hpp"
 

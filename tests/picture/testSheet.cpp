@@ -5,8 +5,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "base/atomicFile.hpp"
 #include "base/error.hpp"
-#include "io/atomicFile.hpp"
 #include "io/pngFile.hpp"
 #include "picture/colourMap.hpp"
 #include "picture/sheet.hpp"

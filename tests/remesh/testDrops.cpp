@@ -7,8 +7,8 @@
 
 #include "remesh/letGo.hpp"
 #include "remesh/remesh.hpp"
-#include "walls/landing.hpp"
 #include "support/cases.hpp"
+#include "walls/landing.hpp"
 
 using namespace pfem;
 using namespace pfem::test;

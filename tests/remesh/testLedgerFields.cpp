@@ -6,9 +6,9 @@
 #include "io/nodeSets.hpp"
 #include "io/sampleState.hpp"
 #include "io/stateFiles.hpp"
-#include "walls/feet.hpp"
 #include "solver/outputFields.hpp"
 #include "support/cases.hpp"
+#include "walls/feet.hpp"
 
 using namespace pfem;
 using namespace pfem::test;

@@ -7,9 +7,9 @@
 #include <set>
 
 #include "remesh/motionAccount.hpp"
-#include "walls/penetration.hpp"
-#include "walls/landing.hpp"
 #include "support/cases.hpp"
+#include "walls/landing.hpp"
+#include "walls/penetration.hpp"
 
 using namespace pfem;
 using namespace pfem::test;

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <regex>
 
-#include "io/atomicFile.hpp"
+#include "base/atomicFile.hpp"
 #include "io/sampleState.hpp"
 #include "io/stateFiles.hpp"
 #include "io/uniformTime.hpp"

@@ -8,9 +8,9 @@
 #include <regex>
 #include <set>
 
+#include "base/atomicFile.hpp"
 #include "case/timeControl.hpp"
 #include "functions/functionObjects.hpp"
-#include "io/atomicFile.hpp"
 #include "io/sampleState.hpp"
 #include "io/stateFiles.hpp"
 #include "mesher/mesher.hpp"

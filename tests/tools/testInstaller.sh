@@ -17,7 +17,7 @@ program() { # name; its text from stdin
 mkdir "$work/bin"
 for name in sh tr env mkdir echo id; do ln -s "$(command -v $name)" "$work/bin/$name"; done
 run() {
-    (PATH="$work/bin" sh "$project/etc/installDependencies") > "$work/out" 2>&1
+    (PATH="$work/bin" sh "$project/etc/installDependencies" "$@") > "$work/out" 2>&1
 }
 
 run
@@ -28,6 +28,14 @@ echo 'echo installed' | program dpkg-query
 run
 expect "all there" 0 $?
 expect "silent" "" "$(cat "$work/out")"
+
+# what tests need is asked for by them alone
+run -list
+expect "for users" 0 "$(grep -c -E '^(libgtest-dev|clang-format|codespell)$' "$work/out")"
+run -tests -list
+expect "for tests" 3 "$(grep -c -E '^(libgtest-dev|clang-format|codespell)$' "$work/out")"
+run -test
+expect "wrong option" 1 $?
 
 # cmake and gnuplot are missing
 echo 'for p; do last=$p; done; case $last in cmake | gnuplot-nox) exit 1 ;; esac; echo installed' | program dpkg-query

@@ -1,4 +1,4 @@
-#include "io/atomicFile.hpp"
+#include "base/atomicFile.hpp"
 
 #include <fcntl.h>
 #include <stdio.h>
