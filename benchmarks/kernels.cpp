@@ -5,13 +5,19 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
+#include <memory>
 
 #include "continuity/continuitySystem.hpp"
 #include "continuity/residual.hpp"
 #include "continuity/stabilisation.hpp"
 #include "io/stateFiles.hpp"
+#include "linear/dissectedLdlt.hpp"
+#include "linear/ldlt.hpp"
+#include "linear/oracles.hpp"
 #include "momentum/fluidStress.hpp"
 #include "momentum/mass.hpp"
 #include "remesh/delaunay.hpp"
@@ -126,6 +132,54 @@ void PressureSolution(benchmark::State& state) {
     perTriangle(state, s.c);
 }
 
+/// The graph's Laplacian and a little mass on the column's nodes: the pattern of the pressure matrix, positive
+/// definite.
+SymmetricMatrix laplacian(const Topology<2>& topology) {
+    std::vector<std::vector<int>> lower(topology.nNodes());
+    for (int j = 0; j < topology.nNodes(); ++j)
+        for (int s = topology.ring.start[j]; s < topology.ring.start[j + 1]; ++s)
+            if (topology.ring.node[s] > j) lower[j].push_back(topology.ring.node[s]);
+    for (auto& rows : lower) std::sort(rows.begin(), rows.end());
+    SymmetricMatrix A = symmetricPattern(lower);
+    for (int j = 0; j < A.n; ++j) {
+        A.add(j, j, 1e-2);
+        for (const int i : lower[j]) {
+            A.add(i, i, 1);
+            A.add(j, j, 1);
+            A.add(i, j, -1);
+        }
+    }
+    return A;
+}
+
+std::unique_ptr<SymmetricSolver> makeSolver(int which, const Points<2>& x) {
+    if (which == 0) return std::make_unique<DissectedLdlt<2, float>>(x, slabs<2>(x, 2, 0), 2);
+    if (which == 1) return std::make_unique<DissectedLdlt<2, double>>(x, slabs<2>(x, 2, 0), 2);
+    if (which == 2) return std::make_unique<Ldlt>();
+    if (which == 3) return std::make_unique<Cholmod>();
+#ifdef PFEM_MUMPS
+    return std::make_unique<Mumps>();
+#else
+    return nullptr;
+#endif
+}
+
+/// Order, factor and one solution of a matrix with the pressure's pattern, by each solver behind the one interface.
+void DirectSolver(benchmark::State& state) {
+    const TestCase& c = column(static_cast<int>(state.range(0)));
+    const SymmetricMatrix A = laplacian(c.topology());
+    const Eigen::VectorXd b = Eigen::VectorXd::Ones(A.n);
+    const auto solver = makeSolver(static_cast<int>(state.range(1)), c.state.nodes.x);
+    if (!solver) return state.SkipWithError("MUMPS is not installed");
+    state.SetLabel(std::array{"dissected, float", "dissected, double", "Ldlt", "CHOLMOD", "MUMPS"}[state.range(1)]);
+    for (auto _ : state) {
+        solver->analyse(A);
+        solver->factor(A);
+        benchmark::DoNotOptimize(solver->solve(b));
+    }
+    perTriangle(state, c);
+}
+
 void WritingOfState(benchmark::State& state) {
     const TestCase& c = column(static_cast<int>(state.range(0)));
     const auto folder = std::filesystem::temp_directory_path() / "pfemBenchmark" / "1";
@@ -152,6 +206,11 @@ BENCHMARK(ViscousOperator)->PFEM_SIZES;
 BENCHMARK(ContinuityResidual)->PFEM_SIZES;
 BENCHMARK(PressureMatrix)->PFEM_SIZES;
 BENCHMARK(PressureSolution)->PFEM_SIZES;
+BENCHMARK(DirectSolver)
+    ->Unit(benchmark::kMillisecond)
+    ->ArgsProduct({{6000, 24000, 96000}, {0, 1, 2, 3, 4}})
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 BENCHMARK(WritingOfState)->PFEM_SIZES;
 BENCHMARK(WholeStep)->PFEM_SIZES->Iterations(20);
 

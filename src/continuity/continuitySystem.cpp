@@ -5,6 +5,7 @@
 
 #include "base/parallel.hpp"
 #include "continuity/stabilisation.hpp"
+#include "linear/dissectedLdlt.hpp"
 #include "momentum/surfaceStiffness.hpp"
 
 namespace pfem {
@@ -236,6 +237,16 @@ std::vector<int> partsOfUnknowns(const SymmetricMatrix& A, const Places<Dim>& pl
 /// As many as pay: each has an ordering and a factor of its own, and what lies between them grows.
 int nParts(int unknowns) { return unknowns < 2000 ? 1 : unknowns < 100000 ? 2 : 4; }
 
+template <int Dim>
+std::unique_ptr<SymmetricSolver> makeSolver(const ContinuityControls& controls, const SymmetricMatrix& A,
+                                            Places<Dim> place) {
+    const int parts = nParts(A.n);
+    auto part = partsOfUnknowns<Dim>(A, place, parts);
+    if (controls.factorPrecision == "double")
+        return std::make_unique<DissectedLdlt<Dim, double>>(std::move(place), std::move(part), parts);
+    return std::make_unique<DissectedLdlt<Dim, float>>(std::move(place), std::move(part), parts);
+}
+
 }  // namespace
 
 template <int Dim>
@@ -258,12 +269,9 @@ ContinuitySystem<Dim>::ContinuitySystem(const Step<Dim>& step, const ContinuityC
     addSolid<Dim>(of, A);
     if (!strong) addFreeSurface<Dim>(of, x, A);
 
-    const int parts = nParts(u.n);
-    const auto place = placesOfUnknowns<Dim>(x, u, solid.dofs);
-    if (controls.factorPrecision == "double") factor_.emplace<DissectedLdlt<double>>();
-    std::visit(
-        [&](auto& factor) { factor.template factorize<Dim>(A, place, partsOfUnknowns<Dim>(A, place, parts), parts); },
-        factor_);
+    solver_ = makeSolver<Dim>(controls, A, placesOfUnknowns<Dim>(x, u, solid.dofs));
+    solver_->analyse(A);
+    solver_->factor(A);
 }
 
 template <int Dim>
@@ -273,7 +281,7 @@ std::vector<double> ContinuitySystem<Dim>::solve(const std::vector<double>& resi
     Eigen::VectorXd rhs = Eigen::VectorXd::Zero(n_);
     for (std::size_t i = 0; i < residual.size(); ++i)
         if (unknown_[i] >= 0) rhs[unknown_[i]] = -residual[i];
-    const Eigen::VectorXd solution = std::visit([&](const auto& factor) { return factor.solve(rhs); }, factor_);
+    const Eigen::VectorXd solution = solver_->solve(rhs);
     for (std::size_t i = 0; i < residual.size(); ++i)
         if (unknown_[i] >= 0) dp[i] = solution[unknown_[i]];
     return dp;

@@ -1,10 +1,10 @@
 #pragma once
 // The linear system for the pressure (44)-(45), with the elastic interface in its matrix.
 
-#include <variant>
+#include <memory>
 
 #include "continuity/stabilisation.hpp"
-#include "linear/dissectedLdlt.hpp"
+#include "linear/symmetricSolver.hpp"
 #include "momentum/fluidPhase.hpp"
 #include "momentum/solidMatrix.hpp"
 #include "momentum/step.hpp"
@@ -38,7 +38,7 @@ public:
 private:
     int n_ = 0;
     std::vector<int> unknown_;  // per node: its pressure unknown or -1
-    std::variant<DissectedLdlt<float>, DissectedLdlt<double>> factor_;
+    std::unique_ptr<SymmetricSolver> solver_;
 };
 
 }  // namespace pfem

@@ -87,42 +87,62 @@ LowerColumns partColumns(const SymmetricMatrix& A, const std::vector<int>& inter
     return M;
 }
 
+/// `place` with the index of each interior unknown in its part.
+std::vector<int> withInterior(std::vector<int> place, const std::vector<int>& interior) {
+    for (std::size_t f = 0; f < interior.size(); ++f) place[interior[f]] = static_cast<int>(f);
+    return place;
+}
+
 }  // namespace
 
-template <class Stored>
-template <int Dim>
-void DissectedLdlt<Stored>::factorize(const SymmetricMatrix& A, const Places<Dim>& where, const std::vector<int>& part,
-                                      int nParts) {
+template <int Dim, class Stored>
+DissectedLdlt<Dim, Stored>::DissectedLdlt(Places<Dim> where, std::vector<int> part, int nParts)
+    : where_(std::move(where)), part_(std::move(part)), parts_(nParts) {}
+
+template <int Dim, class Stored>
+void DissectedLdlt<Dim, Stored>::analyse(const SymmetricMatrix& A) {
+    const int nParts = static_cast<int>(parts_.size());
     shared_.clear();
-    parts_.clear();
-    parts_.resize(nParts);
-    const auto isShared = nParts > 1 ? sharedUnknowns(A, part) : std::vector<unsigned char>(A.n, 0);
-    std::vector<int> placeShared(A.n, -1);
+    for (Part& each : parts_) each = {};
+    const auto isShared = nParts > 1 ? sharedUnknowns(A, part_) : std::vector<unsigned char>(A.n, 0);
+    placeShared_.assign(A.n, -1);
     for (int i = 0; i < A.n; ++i) {
         if (isShared[i]) {
-            placeShared[i] = -2 - static_cast<int>(shared_.size());
+            placeShared_[i] = -2 - static_cast<int>(shared_.size());
             shared_.push_back(i);
         } else {
-            parts_[nParts > 1 ? part[i] : 0].interior.push_back(i);
+            parts_[nParts > 1 ? part_[i] : 0].interior.push_back(i);
         }
     }
     forAll(nParts, [&](int p) {
+        std::vector<int>& interior = parts_[p].interior;
+        if (interior.empty()) return;
+        Places<Dim> ofInterior;
+        ofInterior.reserve(interior.size());
+        for (int f : interior) ofInterior.push_back(where_[f]);
+        auto [order, pieces] =
+            nestedDissection<Dim>(interiorGraph(A, interior, withInterior(placeShared_, interior)), ofInterior);
+        for (int& f : order) f = interior[f];
+        interior = std::move(order);
+        parts_[p].pieces = std::move(pieces);
+    });
+}
+
+template <int Dim, class Stored>
+void DissectedLdlt<Dim, Stored>::factor(const SymmetricMatrix& A) {
+    forAll(static_cast<int>(parts_.size()), [&](int p) {
         Part& own = parts_[p];
         if (own.interior.empty()) return;
-        std::vector<int> place = placeShared;
-        for (std::size_t f = 0; f < own.interior.size(); ++f) place[own.interior[f]] = static_cast<int>(f);
-        Places<Dim> ofInterior;
-        ofInterior.reserve(own.interior.size());
-        for (int f : own.interior) ofInterior.push_back(where[f]);
-        auto [order, pieces] = nestedDissection<Dim>(interiorGraph(A, own.interior, place), ofInterior);
-        for (int& f : order) f = own.interior[f];
-        own.interior = std::move(order);
-        for (std::size_t f = 0; f < own.interior.size(); ++f) place[own.interior[f]] = static_cast<int>(f);
-        const LowerColumns M = partColumns(A, own.interior, place, shared_, own.shared);
-        own.factor.factorize(M, pieces);
+        own.shared.clear();
+        const auto place = withInterior(placeShared_, own.interior);
+        own.factor.factorize(partColumns(A, own.interior, place, shared_, own.shared), own.pieces);
     });
-    if (shared_.empty()) return;
+    if (!shared_.empty()) factorBetween(A);
+}
 
+/// What is left of the unknowns between the parts when the parts are eliminated.
+template <int Dim, class Stored>
+void DissectedLdlt<Dim, Stored>::factorBetween(const SymmetricMatrix& A) {
     const int n = static_cast<int>(shared_.size());
     std::vector<int> place(A.n, -1);
     for (int k = 0; k < n; ++k) place[shared_[k]] = k;
@@ -143,8 +163,8 @@ void DissectedLdlt<Stored>::factorize(const SymmetricMatrix& A, const Places<Dim
         throw StepFailure("matrix factorisation failed: a pivot vanishes or is not finite");
 }
 
-template <class Stored>
-Eigen::VectorXd DissectedLdlt<Stored>::solve(const Eigen::VectorXd& b) const {
+template <int Dim, class Stored>
+Eigen::VectorXd DissectedLdlt<Dim, Stored>::solve(const Eigen::VectorXd& b) const {
     const int nParts = static_cast<int>(parts_.size());
     std::vector<Eigen::VectorXd> own(nParts);
     forAll(nParts, [&](int p) {
@@ -194,14 +214,9 @@ std::vector<int> slabs(const Places<Dim>& place, int nParts, int axis) {
     return part;
 }
 
-template class DissectedLdlt<float>;
-template class DissectedLdlt<double>;
-
-#define PFEM_INSTANTIATE(D)                                                                     \
-    template void DissectedLdlt<float>::factorize<D>(const SymmetricMatrix&, const Places<D>&,  \
-                                                     const std::vector<int>&, int);             \
-    template void DissectedLdlt<double>::factorize<D>(const SymmetricMatrix&, const Places<D>&, \
-                                                      const std::vector<int>&, int);            \
+#define PFEM_INSTANTIATE(D)                  \
+    template class DissectedLdlt<D, float>;  \
+    template class DissectedLdlt<D, double>; \
     template std::vector<int> slabs<D>(const Places<D>&, int, int);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)

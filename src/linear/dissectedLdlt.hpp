@@ -4,33 +4,39 @@
 #include <vector>
 
 #include "linear/multifrontal.hpp"
-#include "linear/symmetricMatrix.hpp"
+#include "linear/symmetricSolver.hpp"
 
 namespace pfem {
 
 /// A x = b, where the unknowns that couple two parts form a small system of their own (Schur complement). The parts
 /// are factored and solved at the same time; the bits do not depend on the number of threads. The factor is kept as
 /// `Stored`, float or double.
-template <class Stored>
-class DissectedLdlt {
+template <int Dim, class Stored>
+class DissectedLdlt : public SymmetricSolver {
 public:
-    /// `where` each unknown is, which gives the order of elimination; `part`: a number 0 ... nParts-1 for each. Throws
-    /// StepFailure when a pivot vanishes or is not finite.
-    template <int Dim>
-    void factorize(const SymmetricMatrix& A, const Places<Dim>& where, const std::vector<int>& part, int nParts);
+    /// `where` each unknown is, which gives the order of elimination; `part`: a number 0 ... nParts-1 for each.
+    DissectedLdlt(Places<Dim> where, std::vector<int> part, int nParts);
 
-    Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+    void analyse(const SymmetricMatrix& A) override;
+    void factor(const SymmetricMatrix& A) override;
+    Eigen::VectorXd solve(const Eigen::VectorXd& b) const override;
 
 private:
     struct Part {
         std::vector<int> interior;  // unknowns of A, in the order of the factor
+        std::vector<Piece> pieces;  // that are eliminated together
         std::vector<int> shared;    // indices into shared_ of the unknowns that follow them
         Multifrontal<Stored> factor;
     };
 
-    std::vector<int> shared_;  // unknowns of A between the parts
+    void factorBetween(const SymmetricMatrix& A);
+
+    Places<Dim> where_;
+    std::vector<int> part_;
     std::vector<Part> parts_;
-    Eigen::MatrixXd between_;  // D and L of the Schur complement
+    std::vector<int> shared_;       // unknowns of A between the parts
+    std::vector<int> placeShared_;  // per unknown: -2 - its index in shared_, or -1
+    Eigen::MatrixXd between_;       // D and L of the Schur complement
 };
 
 /// Part of each place when all are cut into nParts of about equal number, perpendicular to the axis.

@@ -41,7 +41,7 @@ struct Ldlt::Cholmod {
     Cholmod(const Cholmod&) = delete;
     Cholmod& operator=(const Cholmod&) = delete;
 
-    void analyze(cholmod_sparse& A) {
+    void analyse(cholmod_sparse& A) {
         if (factor) cholmod_free_factor(&factor, &common);
         factor = cholmod_analyze(&A, &common);
         if (!factor) throw StepFailure("matrix analysis failed (out of memory?)");
@@ -79,15 +79,15 @@ Ldlt::~Ldlt() = default;
 Ldlt::Ldlt(Ldlt&&) noexcept = default;
 Ldlt& Ldlt::operator=(Ldlt&&) noexcept = default;
 
-void Ldlt::analyze(const SymmetricMatrix& A) {
+void Ldlt::analyse(const SymmetricMatrix& A) {
     auto& c = *cholmod_;
     cholmod_sparse s = view(A);
     c.common.method[0].ordering = CHOLMOD_AMD;
     c.common.postorder = 1;
-    c.analyze(s);
+    c.analyse(s);
 }
 
-void Ldlt::factorize(const SymmetricMatrix& A) {
+void Ldlt::factor(const SymmetricMatrix& A) {
     cholmod_sparse s = view(A);
     cholmod_->factorize(s);
 }

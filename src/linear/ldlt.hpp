@@ -1,29 +1,24 @@
 #pragma once
 // Direct solution of sparse symmetric (quasi-)definite systems by CHOLMOD.
 
-#include <Eigen/Core>
 #include <memory>
 
-#include "linear/symmetricMatrix.hpp"
+#include "linear/symmetricSolver.hpp"
 
 namespace pfem {
 
 /// A = P^T L D L^T P without pivoting: for positive definite and for quasi-definite matrices.
-class Ldlt {
+class Ldlt : public SymmetricSolver {
 public:
     Ldlt();
-    ~Ldlt();
+    ~Ldlt() override;
     Ldlt(Ldlt&&) noexcept;
     Ldlt& operator=(Ldlt&&) noexcept;
 
-    /// Fill-reducing ordering and pattern of L (approximate minimum degree).
-    void analyze(const SymmetricMatrix& A);
-
-    /// Numerical factorisation; the pattern must be the analysed one.
-    /// Throws StepFailure when a pivot vanishes or is not finite.
-    void factorize(const SymmetricMatrix& A);
-
-    Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+    /// Fill-reducing ordering by approximate minimum degree.
+    void analyse(const SymmetricMatrix& A) override;
+    void factor(const SymmetricMatrix& A) override;
+    Eigen::VectorXd solve(const Eigen::VectorXd& b) const override;
 
 private:
     struct Cholmod;

@@ -99,8 +99,8 @@ MomentumSystem<Dim>::MomentumSystem(const Step<Dim>& step, const MomentumControl
       inertia_(inertia.size(), Vec<Dim>::Zero()),
       diagonal_(inertia.size(), 0.0) {
     if (solid_.dofs.n > 0) {
-        factor_.analyze(solid_.matrix);
-        factor_.factorize(solid_.matrix);
+        factor_.analyse(solid_.matrix);
+        factor_.factor(solid_.matrix);
     }
     const Topology<Dim>& topology = step.topology;
     for (int i = 0; i < topology.nNodes(); ++i) {

@@ -60,8 +60,8 @@ TEST(Ldlt, quasiDefiniteAgainstDense) {
     for (const auto& [nH, nG] : {std::pair(40, 0), std::pair(0, 25), std::pair(40, 25), std::pair(1, 1)}) {
         const auto q = quasiDefinite(nH, nG, 3 + nH);
         Ldlt factor;
-        factor.analyze(q.A);
-        factor.factorize(q.A);
+        factor.analyse(q.A);
+        factor.factor(q.A);
         const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(nH + nG, -1, 2);
         const Eigen::VectorXd exact = q.dense.fullPivLu().solve(b);
         EXPECT_LT((factor.solve(b) - exact).norm(), 1e-12 * exact.norm()) << nH << " " << nG;
@@ -72,10 +72,10 @@ TEST(Ldlt, quasiDefiniteAgainstDense) {
 TEST(Ldlt, newValuesOnTheSamePattern) {
     auto q = quasiDefinite(30, 20, 5);
     Ldlt factor;
-    factor.analyze(q.A);
-    factor.factorize(q.A);
+    factor.analyse(q.A);
+    factor.factor(q.A);
     for (double& value : q.A.value) value *= 2;
-    factor.factorize(q.A);
+    factor.factor(q.A);
     const Eigen::VectorXd b = Eigen::VectorXd::Ones(50);
     EXPECT_LT((2 * q.dense * factor.solve(b) - b).norm(), 1e-12);
 }
@@ -168,8 +168,9 @@ TEST(DissectedLdlt, anyPartsGiveTheSolution) {
         for (int i = 0; i < 50; ++i) place.push_back({std::cos(i), 2.0 * std::sin(5.0 * i)});
         const auto part = slabs<2>(place, nParts, 1);
         for (int p = 0; p < nParts; ++p) EXPECT_NEAR(std::count(part.begin(), part.end(), p), 50.0 / nParts, 1);
-        DissectedLdlt<double> factor;
-        factor.factorize<2>(q.A, place, part, nParts);
+        DissectedLdlt<2, double> factor(place, part, nParts);
+        factor.analyse(q.A);
+        factor.factor(q.A);
         const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(50, -1, 2);
         EXPECT_LT((q.dense * factor.solve(b) - b).norm(), 1e-11) << nParts;
     }
@@ -179,8 +180,9 @@ TEST(DissectedLdlt, keptInSinglePrecision) {
     const auto q = quasiDefinite(30, 20, 9);
     Places<2> place;
     for (int i = 0; i < 50; ++i) place.push_back({std::cos(i), 2.0 * std::sin(5.0 * i)});
-    DissectedLdlt<float> factor;
-    factor.factorize<2>(q.A, place, slabs<2>(place, 2, 1), 2);
+    DissectedLdlt<2, float> factor(place, slabs<2>(place, 2, 1), 2);
+    factor.analyse(q.A);
+    factor.factor(q.A);
     const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(50, -1, 2);
     Eigen::VectorXd x = factor.solve(b);
     EXPECT_LT((q.dense * x - b).norm(), 1e-6 * b.norm());
@@ -195,8 +197,9 @@ TEST(DissectedLdlt, apartAndEmptyParts) {
     A.add(2, 3, -1);
     const Places<2> place{{0, 0}, {1, 0}, {2, 0}, {3, 1}};
     for (const auto& part : {std::vector<int>{0, 0, 1, 1}, {1, 1, 1, 1}, {0, 1, 0, 1}}) {
-        DissectedLdlt<double> factor;
-        factor.factorize<2>(A, place, part, 2);
+        DissectedLdlt<2, double> factor(place, part, 2);
+        factor.analyse(A);
+        factor.factor(A);
         const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(4, 1, 4);
         EXPECT_LT((A.multiply(factor.solve(b)) - b).norm(), 1e-13);
     }
@@ -316,10 +319,10 @@ TEST(Ldlt, singularMatrixFailsTheStep) {
     A.add(1, 1, 1);
     A.add(2, 2, 1);
     Ldlt factor;
-    factor.analyze(A);
-    EXPECT_THROW(factor.factorize(A), StepFailure);
+    factor.analyse(A);
+    EXPECT_THROW(factor.factor(A), StepFailure);
     A.add(1, 1, 1);  // mended: the object can be used again
-    factor.factorize(A);
+    factor.factor(A);
     EXPECT_LT((factor.solve(Eigen::Vector3d(1, 1, 1)) - Eigen::Vector3d(1, 0, 1)).norm(), 1e-14);
 }
 
@@ -327,8 +330,8 @@ TEST(Ldlt, zeroRowFailsTheStep) {
     auto A = symmetricPattern({{1}, {}});
     A.add(0, 0, 1);
     Ldlt factor;
-    factor.analyze(A);
-    EXPECT_THROW(factor.factorize(A), StepFailure);
+    factor.analyse(A);
+    EXPECT_THROW(factor.factor(A), StepFailure);
 }
 
 TEST(Ldlt, notANumberFailsTheStep) {
@@ -336,8 +339,8 @@ TEST(Ldlt, notANumberFailsTheStep) {
     A.add(0, 0, std::numeric_limits<double>::quiet_NaN());
     A.add(1, 1, 1);
     Ldlt factor;
-    factor.analyze(A);
-    EXPECT_THROW(factor.factorize(A), StepFailure);
+    factor.analyse(A);
+    EXPECT_THROW(factor.factor(A), StepFailure);
 }
 
 TEST(SymmetricMatrix, entryOutsideThePattern) {

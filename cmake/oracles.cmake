@@ -1,0 +1,11 @@
+# Solvers of others that tests and benchmarks compare with: tests/linear/oracles.hpp. MUMPS where it is installed.
+add_library(pfemOracles INTERFACE)
+target_include_directories(pfemOracles SYSTEM INTERFACE ${CHOLMOD_INCLUDE_DIR})
+target_link_libraries(pfemOracles INTERFACE ${CHOLMOD_LIBRARY})
+find_path(MUMPS_INCLUDE_DIR dmumps_c.h)
+find_library(MUMPS_LIBRARY dmumps_seq)
+if(MUMPS_INCLUDE_DIR AND MUMPS_LIBRARY)
+  target_include_directories(pfemOracles SYSTEM INTERFACE ${MUMPS_INCLUDE_DIR})
+  target_compile_definitions(pfemOracles INTERFACE PFEM_MUMPS)
+  target_link_libraries(pfemOracles INTERFACE ${MUMPS_LIBRARY})
+endif()
