@@ -6,22 +6,11 @@
 #include <map>
 
 #include "base/parallel.hpp"
+#include "linear/conjugateGradients.hpp"
 
 namespace pfem {
 
 namespace {
-
-template <int Dim>
-double dot(const Points<Dim>& a, const Points<Dim>& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
-    return sum;
-}
-
-template <int Dim>
-void axpy(double factor, const Points<Dim>& x, Points<Dim>& y) {
-    for (std::size_t i = 0; i < x.size(); ++i) y[i] += factor * x[i];
-}
 
 /// rho h^2/dt with h^2 = Omega^{2/Dim}: an acoustic Courant number of one at each stress point [Pa s].
 template <int Dim>
@@ -197,29 +186,14 @@ Points<Dim> MomentumSystem<Dim>::solve(const Points<Dim>& residual) {
     Points<Dim> r = residual;
     forEach(static_cast<int>(r.size()), [&](int i) { r[i] = -r[i]; });
     r = restricted(r);
-    Points<Dim> z = precondition(r);
     iterations_ = 1;
-    if (!viscous_) return z;  // the diagonal will do
+    if (!viscous_) return precondition(r);  // the diagonal will do
 
-    Points<Dim> u(r.size(), Vec<Dim>::Zero());
-    Points<Dim> direction = z;
-    double rz = dot<Dim>(r, z);
-    const double target = controls_.linearTolerance * controls_.linearTolerance * rz;
-    for (iterations_ = 0; rz > target && iterations_ < controls_.maxLinearIterations; ++iterations_) {
-        const Points<Dim> q = apply(direction);
-        const double curvature = dot<Dim>(direction, q);
-        if (!(curvature > 0)) throw StepFailure("momentum matrix is not positive definite");
-        const double step = rz / curvature;
-        axpy<Dim>(step, direction, u);
-        axpy<Dim>(-step, q, r);
-        z = precondition(r);
-        const double rzNew = dot<Dim>(r, z);
-        const double beta = rzNew / rz;
-        for (std::size_t i = 0; i < z.size(); ++i) direction[i] = z[i] + beta * direction[i];
-        rz = rzNew;
-    }
-    if (!(rz <= target)) throw StepFailure("conjugate gradients of the momentum did not converge");
-    return u;
+    auto solution = conjugateGradients<Dim>(
+        [this](const Points<Dim>& u) { return apply(u); }, [this](const Points<Dim>& u) { return precondition(u); },
+        std::move(r), {controls_.linearTolerance, controls_.maxLinearIterations, "momentum"});
+    iterations_ = solution.iterations;
+    return std::move(solution.x);
 }
 
 template class MomentumSystem<2>;
