@@ -6,8 +6,8 @@
 
 namespace pfem {
 
-/// R_J = m_J (a_J - g) + internal forces - tractions and friction of every node, the residual of the step [N/m (2D), N]: zero where a node moves
-/// freely, the force of the support where it is held.
+/// R_J = m_J (a_J - g) + internal forces - tractions and friction of every node, the residual of the step [N/m (2D),
+/// N]: zero where a node moves freely, the force of the support where it is held.
 template <int Dim>
 Points<Dim> supportForces(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state);
 

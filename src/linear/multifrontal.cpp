@@ -38,9 +38,16 @@ private:
     std::size_t top_ = 0, fresh_ = 0;
 };
 
-/// Add what a child leaves to the columns F and the remainder U of its parent. `place`: of each row in the parent.
-void takeUp(const double* source, const int* rows, int n, const std::vector<int>& place, double* F, int m, int width,
-            double* U) {
+/// A front while it is put together: `width` columns of m rows, and the remainder of the others.
+struct OpenFront {
+    double* F;
+    double* U;
+    int m, width;
+};
+
+/// Add what a child leaves to its parent. `rows`: the n of the child; `place`: of each row in the parent.
+void takeUp(const double* source, const int* rows, int n, const std::vector<int>& place, const OpenFront& parent) {
+    const auto& [F, U, m, width] = parent;
     const int r = m - width;
     for (int a = 0; a < n; ++a) {
         const int at = place[rows[a]];
@@ -83,7 +90,7 @@ void Multifrontal<Stored>::factorize(const LowerColumns& A, const std::vector<Pi
                 F[static_cast<std::size_t>(k) * m + place[A.row[s]]] += A.value[s];
         for (int c = 0; c < front.nChildren; ++c) {
             const Front& child = fronts_.front[remainders.front()];
-            takeUp(remainders.top(child.nRows), fronts_.rowsOf(child), child.nRows, place, F, m, width, U);
+            takeUp(remainders.top(child.nRows), fronts_.rowsOf(child), child.nRows, place, {F, U, m, width});
             remainders.pop(child.nRows);
         }
         if (!factorColumns(F, m, width))

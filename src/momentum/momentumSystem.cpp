@@ -189,9 +189,9 @@ Points<Dim> MomentumSystem<Dim>::solve(const Points<Dim>& residual) {
     iterations_ = 1;
     if (!viscous_) return precondition(r);  // the diagonal will do
 
-    auto solution = conjugateGradients<Dim>(
-        [this](const Points<Dim>& u) { return apply(u); }, [this](const Points<Dim>& u) { return precondition(u); },
-        std::move(r), {controls_.linearTolerance, controls_.maxLinearIterations, "momentum"});
+    auto solution = conjugateGradients<Dim>([this](const Points<Dim>& u) { return apply(u); },
+                                            [this](const Points<Dim>& u) { return precondition(u); }, std::move(r),
+                                            {controls_.linearTolerance, controls_.maxLinearIterations, "momentum"});
     iterations_ = solution.iterations;
     return std::move(solution.x);
 }

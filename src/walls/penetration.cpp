@@ -1,6 +1,7 @@
 #include "walls/penetration.hpp"
 
 #include <limits>
+#include <tuple>
 
 #include "mesh/distance.hpp"
 #include "mesh/locator.hpp"
@@ -53,14 +54,14 @@ private:
     std::vector<std::vector<int>> bins_;
 };
 
-/// Put the node off the face on the side of n and stop its motion against n.
-void putBack(const Points<2>& x, const Points<2>& v, const Edge& face, const Vec<2>& n, double distance, Vec<2>& xi,
-             Vec<2>& vi) {
-    const double s = nearestWeight<2>(x[face[0]], x[face[1]], xi);
-    xi = x[face[0]] + s * (x[face[1]] - x[face[0]]) + distance * n;
+/// Put node i at `distance` off the face on the side of n and stop its motion against n.
+void putBack(const Edge& face, const Vec<2>& n, double distance, int i, Nodes<2>& nodes) {
+    const auto& [x, v] = std::tie(nodes.x, nodes.v);
+    const double s = nearestWeight<2>(x[face[0]], x[face[1]], x[i]);
+    nodes.x[i] = x[face[0]] + s * (x[face[1]] - x[face[0]]) + distance * n;
     const Vec<2> surface = (1 - s) * v[face[0]] + s * v[face[1]];
-    const double inward = (vi - surface).dot(n);
-    if (inward < 0) vi -= inward * n;
+    const double inward = (v[i] - surface).dot(n);
+    if (inward < 0) nodes.v[i] -= inward * n;
 }
 
 }  // namespace
@@ -90,7 +91,7 @@ int returnPenetrating<2>(const Topology<2>& topology, double distance, State<2>&
         }
         if (nearest < 0) continue;
         const Vec<2> n = faceArea<2>(nodes.x, faces[nearest]).normalized();  // out of the solid
-        putBack(nodes.x, nodes.v, faces[nearest], n, distance * nodes.h[i], nodes.x[i], nodes.v[i]);
+        putBack(faces[nearest], n, distance * nodes.h[i], i, nodes);
         ++count;
     }
     return count;
