@@ -68,11 +68,11 @@ int main(int argc, char** argv) {
             printCompression(rows);
             const MassBalance* worst = &rows.front();
             for (const auto& row : rows)
-                if (std::abs(row.withoutGone) > std::abs(worst->withoutGone)) worst = &row;
-            const bool good = std::abs(worst->withoutGone) <= tolerance;
+                if (std::abs(row.withoutPassage) > std::abs(worst->withoutPassage)) worst = &row;
+            const bool good = std::abs(worst->withoutPassage) <= tolerance;
             fmt::print("The mass changes by at most {:.3g} % (at time {:g}), {} the tolerance of {:.3g} %.\n",
-                       100 * worst->withoutGone, worst->time, good ? "within" : "BEYOND", 100 * tolerance);
-            const double gone = rows.back().relativeChange - rows.back().withoutGone;
+                       100 * worst->withoutPassage, worst->time, good ? "within" : "BEYOND", 100 * tolerance);
+            const double gone = rows.back().relativeChange - rows.back().withoutPassage;
             if (gone != 0)
                 fmt::print("Drops that have left for good took {:.3g} % with them; they are not counted in it.\n",
                            -100 * gone);

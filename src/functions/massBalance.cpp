@@ -55,9 +55,10 @@ MassBalance MassAccount<Dim>::balance(const State<Dim>& state) const {
     b.causes = state.ledger.byName();
     for (const auto& [cause, volume] : initialLedger_) b.causes[cause] -= volume;
     for (const auto& [cause, volume] : b.causes) b.sumOfCauses += volume;
-    const auto gone = b.causes.find(textOf(VolumeCause::gone).name);
-    b.withoutGone =
-        b.relativeChange - (gone != b.causes.end() && initialVolume_ > 0 ? gone->second / initialVolume_ : 0);
+    VolumeLedger ledger;
+    ledger.takeFrom(b.causes);
+    const double passage = ledger.sum(CauseKind::passage);
+    b.withoutPassage = b.relativeChange - (initialVolume_ > 0 ? passage / initialVolume_ : 0);
     b.unexplained = b.volume - initialVolume_ - b.sumOfCauses;
     return b;
 }

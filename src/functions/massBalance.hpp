@@ -24,7 +24,7 @@ struct MassBalance {
     double volume = 0;                     // [m2 (2D), m3]
     double mass = 0;                       // [kg/m (2D), kg]
     double relativeChange = 0;             // of the mass, since the beginning
-    double withoutGone = 0;                // the same but for the drops that have been let go
+    double withoutPassage = 0;             // the same but for what has come from outside or has left
     std::map<std::string, double> causes;  // change of volume by cause since the beginning
     double sumOfCauses = 0;
     double unexplained = 0;  // change of volume that no cause accounts for

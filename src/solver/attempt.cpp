@@ -22,7 +22,7 @@ template <int Dim>
 double volumeCorrection(const State<Dim>& state, double time, double dt) {
     if (time == 0) return 0;
     const double volume = totalVolume<Dim>(state);
-    return volume > 0 ? -state.ledger.gainsAndLosses() / (volume * std::max(time, dt)) : 0;
+    return volume > 0 ? -state.ledger.sum(CauseKind::gainOrLoss) / (volume * std::max(time, dt)) : 0;
 }
 
 /// What a step is asked to give to each node's patch: a share of what the node lacks, and of the patch's volume.

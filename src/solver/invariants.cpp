@@ -127,8 +127,8 @@ void checkInvariants<2>(const ConvergenceControls& controls, const Topology<2>& 
     const Points<2> xOld = oldPositions<2>(last.nodes, next.nodes);
     checkWalls(topology, xOld, next);
     checkSolids(xOld, next);
-    const double before = totalVolume<2>(last),
-                 after = totalVolume<2>(next) - next.ledger[VolumeCause::gone] + last.ledger[VolumeCause::gone];
+    const double before = totalVolume<2>(last), after = totalVolume<2>(next) - next.ledger.sum(CauseKind::passage) +
+                                                        last.ledger.sum(CauseKind::passage);
     if (std::abs(after - before) > controls.maxVolumeChange * before)
         throw StepFailure(fmt::format("the fluid's volume changed from {:.6g} to {:.6g} in one step", before, after));
 }

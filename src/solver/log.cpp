@@ -36,7 +36,7 @@ std::string stepLines(const AdvanceReport& report, const State<Dim>& state, doub
     text +=
         fmt::format("Mesh: {} nodes, {} fluid triangles, removed {}, inserted {}, returned {}\n", state.nodes.size(),
                     state.mesh.fluid.size(), report.mesh.removed, report.mesh.inserted, report.returned);
-    const double change = state.ledger.gainsAndLosses(), correction = state.ledger[VolumeCause::correction],
+    const double change = state.ledger.sum(CauseKind::gainOrLoss), correction = state.ledger[VolumeCause::correction],
                  gone = state.ledger[VolumeCause::gone], volume = totalVolume<Dim>(state);
     if (firstVolume > 0)  // a case may have solids only
         text += fmt::format("Fluid volume = {:.6g}, change = {:.3g} %, raw = {:.3g} %{}\n", volume,

@@ -7,8 +7,12 @@
 
 namespace pfem {
 
-/// Does something have to make up for it?
-enum class CauseKind { gainOrLoss, noLoss };
+/// What becomes of an amount.
+enum class CauseKind {
+    gainOrLoss,  // an error of the method: something has to make up for it
+    elastic,     // pressure gives it back
+    passage      // it has come from outside or has left
+};
 /// Is there a nodal field of it from the start, or only once it has been booked?
 enum class CauseField { always, onceBooked };
 
@@ -63,11 +67,13 @@ public:
         for (const auto& [name, amount] : byName()) sum += amount;
         return sum;
     }
-    /// Of those that something has to make up for; causes of older versions are.
-    double gainsAndLosses() const {
+    /// Of those of one kind; causes of older versions are gains and losses.
+    double sum(CauseKind kind) const {
         auto amounts = byName();
         for (const auto& text : Causes<Cause>::table)
-            if (text.kind == CauseKind::noLoss) amounts.erase(text.name);
+            if (text.kind != kind) amounts.erase(text.name);
+        if (kind != CauseKind::gainOrLoss)
+            for (const auto& [name, amount] : former_) amounts.erase(name);
         double sum = 0;
         for (const auto& [name, amount] : amounts) sum += amount;
         return sum;

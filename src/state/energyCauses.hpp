@@ -19,7 +19,7 @@ enum class EnergyCause {
 template <>
 struct Causes<EnergyCause> {
     static constexpr std::array table{
-#define PFEM_CAUSE(name, meaning) CauseText{#name, CauseKind::noLoss, CauseField::always, meaning},
+#define PFEM_CAUSE(name, meaning) CauseText{#name, CauseKind::passage, CauseField::always, meaning},
         PFEM_ENERGY_CAUSES(PFEM_CAUSE)
 #undef PFEM_CAUSE
     };

@@ -1,14 +1,14 @@
 #pragma once
-// Why the fluid's volume changes. A new cause is one line here: its name in files, whether it is a gain or loss that
-// something has to make up for, whether it has its nodal field always or once it has been booked, its meaning.
+// Why the fluid's volume changes. A new cause is one line here: its name in files, what becomes of the amount
+// (CauseKind), whether it has its nodal field always or once it has been booked, its meaning.
 
 #include "state/causeSums.hpp"
 
 #define PFEM_VOLUME_CAUSES(CAUSE)                                                                               \
-    CAUSE(compression, noLoss, always, "what pressure takes from the volume or gives back; no change of mass")  \
+    CAUSE(compression, elastic, always, "what pressure takes from the volume or gives back; no change of mass") \
     CAUSE(contact, gainOrLoss, always, "triangles that became fluid where surfaces met")                        \
     CAUSE(correction, gainOrLoss, always, "given back by the continuity equation where nodes lacked it")        \
-    CAUSE(gone, noLoss, onceBooked, "drops that have left for good")                                            \
+    CAUSE(gone, passage, onceBooked, "drops that have left for good")                                           \
     CAUSE(isolated, gainOrLoss, always, "what particles without triangles carry")                               \
     CAUSE(landed, gainOrLoss, always, "nodes put on walls")                                                     \
     CAUSE(released, gainOrLoss, always,                                                                         \

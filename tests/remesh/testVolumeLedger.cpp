@@ -43,7 +43,7 @@ TEST(VolumeLedger, sumsOverNodesAreSumsOverCauses) {
     sheet.book(VolumeCause::compression, std::vector<double>{-1, 0, 0, 0});  // nothing makes up for it
     const std::vector<double> atNodes{0.1, 0.1 - 0.2, 0.1 - 0.2, 0.25 - 0.2};
     for (int i = 0; i < 4; ++i) EXPECT_NEAR(sheet.atNodes()[i], atNodes[i], 1e-15) << i;
-    EXPECT_NEAR(std::accumulate(atNodes.begin(), atNodes.end(), 0.0), sheet.gainsAndLosses(), 1e-15);
+    EXPECT_NEAR(std::accumulate(atNodes.begin(), atNodes.end(), 0.0), sheet.sum(CauseKind::gainOrLoss), 1e-15);
     EXPECT_NEAR(sheet.sum(), 0.3 - 0.6 + 0.25 - 1, 1e-15);
 
     ledger.book(VolumeCause::contact, 2.0);
@@ -72,7 +72,9 @@ TEST(VolumeLedger, causesOfOlderVersionsAreKept) {
     EXPECT_EQ(ledger.byName(), old);
     EXPECT_EQ(ledger[VolumeCause::contact], 1.5);
     EXPECT_EQ(ledger.sum(), 1.75);
-    EXPECT_EQ(ledger.gainsAndLosses(), 2.0);
+    EXPECT_EQ(ledger.sum(CauseKind::gainOrLoss), 2.0);
+    EXPECT_EQ(ledger.sum(CauseKind::passage), -0.25);
+    EXPECT_EQ(ledger.sum(CauseKind::elastic), 0);
     ledger.book(VolumeCause::contact, 0);
     EXPECT_EQ(ledger.byName(), old);
 }
