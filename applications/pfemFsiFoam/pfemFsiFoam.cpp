@@ -44,7 +44,7 @@ Simulation<2> readSimulation(const Case& theCase, const TimeControl& clock) {
     checkState(clock.startFolder(), simulation.state);
     simulation.problem = readProblem(theCase, simulation.state);
     simulation.controls = readControls(theCase);
-    checkLaws<2>(simulation.problem, simulation.controls.solid, pfemSolution(theCase));
+    checkLaws<2>(simulation.problem, simulation.state.mesh, simulation.controls.integration);
     simulation.nextTime = [&clock](const TimeInfo& time, double dt) { return clock.advance(time, dt); };
     return simulation;
 }

@@ -7,42 +7,35 @@
 
 #include <cmath>
 
-#include "dictionary/entries.hpp"
-#include "material/material.hpp"
+#include "material/lawTable.hpp"
+#include "material/rateLaw.hpp"
 
 using namespace pfem;
 
 namespace {
 
-struct VonMisesEntries {
+class VonMises : public RateLaw<VonMises> {
+public:
+    IsotropicElasticity elastic;
     double yieldStress = 0;
 
     template <class Visitor>
     void entries(Visitor& v) {
+        elastic.entries(v);
         v.required("yieldStress", yieldStress, "Pa", "von Mises stress at which the solid yields", positive);
     }
-};
+    IsotropicElasticity elasticity() const override { return elastic; }
 
-class VonMises : public SolidLaw {
-public:
-    VonMises(const Dictionary& dict, const Hypoelastic& elastic)
-        : lambda_(elastic.lambda()), mu_(elastic.mu()), yieldStress_(readEntries<VonMisesEntries>(dict).yieldStress) {}
-
-    Tensor<3> updated(const Tensor<3>& sigma, const Tensor<3>& strain) const override {
+    Tensor<3> updated(const Tensor<3>& sigma, const Tensor<3>& strain) const {
         const Tensor<3> I = Tensor<3>::Identity();
-        const Tensor<3> trial = sigma + lambda_ * strain.trace() * I + 2 * mu_ * strain;
+        const Tensor<3> trial = sigma + elastic.lambda() * strain.trace() * I + 2 * elastic.mu() * strain;
         const Tensor<3> s = trial - trial.trace() / 3 * I;
         const double q = std::sqrt(1.5) * s.norm();
-        if (q <= yieldStress_) return trial;
-        return trial - (1 - yieldStress_ / q) * s;
+        if (q <= yieldStress) return trial;
+        return trial - (1 - yieldStress / q) * s;
     }
-
-private:
-    double lambda_, mu_, yieldStress_;
 };
 
-const bool added = addSolidLaw("vonMises", [](const Dictionary& dict, const Hypoelastic& elastic) {
-    return std::unique_ptr<SolidLaw>(new VonMises(dict, elastic));
-});
+const bool added = addSolidLaw<VonMises>("vonMises", "Elastic-perfectly plastic solid.");
 
 }  // namespace

@@ -10,7 +10,7 @@ Points<Dim> supportForces(const Problem<Dim>& problemOfRun, const Controls& cont
     const auto& [mesh, nodes] = std::tie(state.mesh, state.nodes);
     const auto topology = makeTopology<Dim>(mesh, problem.conditions.kind, nodes.wall);
     const Integration scheme = controls.integration.scheme();
-    const FluidPhase<Dim> fluid(problem, mesh, topology.fluid, nodes.x, nodes.v, scheme);
+    const FluidPhase<Dim> fluid(problem, mesh, topology.fluid, nodes, scheme);
     const SolidPhase<Dim> solid(problem, controls.solid, mesh, topology.solid, nodes, scheme);
     auto external = externalForce<Dim>(mesh, topology, fluid, nodes);
     const auto viscous = viscousForces<Dim>(fluid, controls.momentum.waveDamping, nodes);

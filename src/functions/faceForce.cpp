@@ -16,7 +16,9 @@ Tensor<Dim> viscousStressOfCell(const Problem<Dim>& problem, const State<Dim>& s
     Tensor<Dim> L = Tensor<Dim>::Zero();
     for (int k = 0; k <= Dim; ++k) L += state.nodes.v[simplex[k]] * geometry.gradN[k].transpose();
     const auto& fluid = problem.fluid(state.mesh.fluid.material[cell]);
-    return viscousStress<Dim>(viscosity(fluid, shearRate<Dim>(L)), L);
+    double p = 0;
+    for (const int node : simplex) p += state.nodes.p[node] / (Dim + 1);
+    return viscousStress<Dim>(fluid.law->viscosity(shearRate<Dim>(L), p), L);
 }
 
 /// int N_i N_j dA / |face|

@@ -4,9 +4,10 @@
 
 #include "functions/balance.hpp"
 #include "functions/faceForce.hpp"
-#include "material/neoHookean.hpp"
+#include "material/stressTensor.hpp"
 #include "momentum/fluidStress.hpp"
 #include "momentum/mass.hpp"
+#include "momentum/solidHistory.hpp"
 #include "momentum/solidStress.hpp"
 #include "momentum/wallFriction.hpp"
 
@@ -58,33 +59,43 @@ template <int Dim>
 double elasticEnergy(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state) {
     const auto& nodes = state.nodes;
     const auto& cells = state.mesh.solid;
-    const bool hyperelastic = controls.solid.stressUpdate == "neoHookean";
-    const bool split = splitsEnergy(controls.solid);
     const auto around = nodeToCells<Dim>(cells.nodes, nodes.size());
-    const auto patches =
-        makePatches<Dim>(cells.nodes, around, hyperelastic ? nodes.X : nodes.x, controls.integration.scheme());
+    auto patches = makePatches<Dim>(cells.nodes, around, nodes.x, controls.integration.scheme());
+    updateGradientPatches<Dim>(problem, cells, nodes, nodes, patches);
     const auto F = toPoints<Dim>(patches, elementGradient<Dim>(patches, nodes.x));
     const auto sigma = storedAtPoints<Dim>(patches, nodes.sigma, cells.sigma);
+    const History history = historyAtPoints<Dim>(problem, cells, patches, nodes.history);
+    const bool whole = !controls.solid.withPressure();
     double sum = 0;
     for (int p = 0; p < nStressPoints<Dim>(patches); ++p) {
         if (!isStressPoint<Dim>(patches, p)) continue;
-        const Hypoelastic& m = solidMaterial<Dim>(problem, cells, patches, p);
-        const Stress<Dim>& s = sigma[p];
-        const double trace = s[0] + s[1] + s[2];
-        double squares = 0;
-        for (int c = 0; c < nStress<Dim>; ++c) squares += (c < 3 ? 1 : 2) * s[c] * s[c];
-        const double density = !hyperelastic      ? 0.5 / m.E * ((1 + m.nu) * squares - m.nu * trace * trace)
-                               : m.law != nullptr ? lawEnergy<Dim>(*m.law, F[p])
-                               : split            ? neoHookeanShearEnergy<Dim>(m, F[p])
-                                                  : neoHookeanEnergy<Dim>(m, F[p]);
+        const Solid& material = solidMaterial<Dim>(problem, cells, patches, p);
+        const SolidLaw& law = *material.law;
+        double density;
+        if (law.kinematics() == Kinematics::reference) {
+            std::vector<double> remembered;
+            if (!history.empty())
+                for (const int k : historyColumns(law, history.names)) remembered.push_back(history.at(p, k));
+            density = law.shearEnergy(F[p], remembered);
+            if (whole) density += law.volumeEnergy(F[p].determinant());
+        } else {
+            const auto [E, nu] = material.elastic;
+            const Stress<Dim>& s = sigma[p];
+            const double trace = s[0] + s[1] + s[2];
+            double squares = 0;
+            for (int c = 0; c < nStress<Dim>; ++c) squares += (c < 3 ? 1 : 2) * s[c] * s[c];
+            density = 0.5 / E * ((1 + nu) * squares - nu * trace * trace);
+        }
         sum += pointVolume<Dim>(patches, p) * density;
     }
-    if (!split) return sum;
+    if (whole) return sum;
     const auto atNodes = withNodalPoints<Dim>(patches);
     const auto J = volumeRatio<Dim>(patches, nodes.x);
-    for (int i = 0; i < nodes.size(); ++i)
-        if (isStressPoint<Dim>(atNodes, i))
-            sum += patches.volume[i] * neoHookeanVolumeEnergy(solidMaterial<Dim>(problem, cells, atNodes, i), J[i]);
+    for (int i = 0; i < nodes.size(); ++i) {
+        if (!isStressPoint<Dim>(atNodes, i)) continue;
+        const SolidLaw& law = *solidMaterial<Dim>(problem, cells, atNodes, i).law;
+        if (law.kinematics() == Kinematics::reference) sum += patches.volume[i] * law.volumeEnergy(J[i]);
+    }
     return sum;
 }
 
@@ -108,18 +119,16 @@ EnergyPowers energyPowers(const Problem<Dim>& problem, const Controls& controls,
     EnergyPowers powers;
     const auto aroundFluid = nodeToCells<Dim>(mesh.fluid.nodes, nodes.size());
     const auto fluid = makePatches<Dim>(mesh.fluid.nodes, aroundFluid, nodes.x, controls.integration.scheme());
-    const auto mu = flowViscosity<Dim>(problem, mesh.fluid, fluid, nodes.v).mu;
+    const auto mu = flowViscosity<Dim>(problem, mesh.fluid, fluid, nodes.v, nodes.p).mu;
     powers.viscous = contraction<Dim>(fluid, fluidTangentStress<Dim>(fluid, {mu, {}, {}}, nodes.v, {}),
                                       elementGradient<Dim>(fluid, nodes.v));
 
     // with stress zero what is left of the solid's element stress is the damper's
     const auto aroundSolid = nodeToCells<Dim>(mesh.solid.nodes, nodes.size());
     const auto solid = makePatches<Dim>(mesh.solid.nodes, aroundSolid, nodes.x, controls.integration.scheme());
-    SolidControls damperOnly = controls.solid;
-    damperOnly.stressUpdate = "rotatedMidpoint";
-    const SolidStress<Dim> none{std::vector<Stress<Dim>>(nStressPoints<Dim>(solid), Stress<Dim>::Zero()), {}};
+    const SolidStress<Dim> none{std::vector<Stress<Dim>>(nStressPoints<Dim>(solid), Stress<Dim>::Zero()), {}, {}};
     powers.damper =
-        contraction<Dim>(solid, solidElementStress<Dim>(problem, damperOnly, mesh.solid, solid, solid, none, nodes),
+        contraction<Dim>(solid, solidElementStress<Dim>(problem, controls.solid, mesh.solid, solid, solid, none, nodes),
                          elementGradient<Dim>(solid, nodes.v));
     const auto walls = wallPower<Dim>(problemAt<Dim>(state.time.value, problem), controls, state);
     powers.walls = walls.walls;

@@ -37,6 +37,16 @@ void updatePatches(Patches<Dim>& patches, const Points<Dim>& x) {
 }
 
 template <int Dim>
+void updateVolumes(Patches<Dim>& patches) {
+    const NodeToCells& around = *patches.around;
+    forEach(patches.nNodes(), [&](int i) {
+        double sum = 0;
+        for (int s = around.start[i]; s < around.start[i + 1]; ++s) sum += patches.element[around.cell[s]].measure;
+        patches.volume[i] = sum / (Dim + 1);
+    });
+}
+
+template <int Dim>
 std::vector<Tensor<Dim>> elementGradient(const Patches<Dim>& patches, const Points<Dim>& v) {
     std::vector<Tensor<Dim>> L(patches.nCells());
 #pragma omp parallel for schedule(static) if (patches.nCells() > shortLoop)
@@ -109,6 +119,7 @@ void addPressureForce(const Patches<Dim>& patches, const std::vector<double>& p,
     template Patches<D> makePatches<D>(const std::vector<Simplex<D>>&, const NodeToCells&, const Points<D>&, \
                                        Integration);                                                         \
     template void updatePatches<D>(Patches<D>&, const Points<D>&);                                           \
+    template void updateVolumes<D>(Patches<D>&);                                                             \
     template std::vector<Tensor<D>> elementGradient<D>(const Patches<D>&, const Points<D>&);                 \
     template std::vector<Tensor<D>> nodalMean<D>(const Patches<D>&, const std::vector<Tensor<D>>&);          \
     template std::vector<Stress<D>> nodalMean<D>(const Patches<D>&, const std::vector<Stress<D>>&);          \

@@ -38,6 +38,10 @@ Patches<Dim> makePatches(const std::vector<Simplex<Dim>>& cells, const NodeToCel
 template <int Dim>
 void updatePatches(Patches<Dim>& patches, const Points<Dim>& x);
 
+/// Volumes of the nodes from those of the elements.
+template <int Dim>
+void updateVolumes(Patches<Dim>& patches);
+
 /// grad v in every element: L_ij = dv_i/dx_j.
 template <int Dim>
 std::vector<Tensor<Dim>> elementGradient(const Patches<Dim>& patches, const Points<Dim>& v);

@@ -42,6 +42,14 @@ vtkSmartPointer<vtkDoubleArray> makeStress(const std::vector<Stress<Dim>>& stres
     return sigma;
 }
 
+/// What laws remember, an array for each number; `at(i)` is the index of tuple i.
+template <class Index>
+void addHistory(vtkDataSetAttributes* data, const History& history, int n, const Index& at) {
+    for (int k = 0; k < history.width(); ++k)
+        data->AddArray(makeArray<vtkDoubleArray>(history.names[static_cast<std::size_t>(k)], 1, n,
+                                                 [&](int i, int) { return history.at(static_cast<int>(at(i)), k); }));
+}
+
 /// Points and point data of the nodes in `set`; the stress only where the file needs it.
 template <int Dim>
 void addNodes(vtkUnstructuredGrid* grid, const State<Dim>& state, const NodeSet& set, bool withStress,

@@ -45,6 +45,18 @@ std::vector<Stress<Dim>> readStress(const CheckedArrays& arrays) {
     return stress;
 }
 
+/// The arrays with these names, one number a tuple.
+History readHistory(const CheckedArrays& arrays, const std::vector<std::string>& names) {
+    History history{names, {}};
+    for (int k = 0; k < history.width(); ++k) {
+        auto* column = arrays.doubles(names[static_cast<std::size_t>(k)], 1);
+        const int n = static_cast<int>(column->GetNumberOfTuples());
+        history.resize(n);
+        for (int i = 0; i < n; ++i) history.at(i, k) = column->GetValue(i);
+    }
+    return history;
+}
+
 template <int Dim>
 Nodes<Dim> readNodes(vtkUnstructuredGrid* grid, const std::filesystem::path& file, bool& hasStress) {
     const CheckedArrays arrays(file, grid->GetPointData(), grid->GetNumberOfPoints());
@@ -132,6 +144,11 @@ Part<Dim> readPart(const std::filesystem::path& folder, const std::string& name,
     if (cells.found("sigma")) part.cellStress = readStress<Dim>(cells);
     const CheckedArrays field(file, grid->GetFieldData(), -1);
     part.materials = field.words("materials");
+    if (field.found("history")) {
+        const auto names = field.words("history");
+        part.nodes.history = readHistory(CheckedArrays(file, grid->GetPointData(), grid->GetNumberOfPoints()), names);
+        if (!names.empty() && cells.found(names[0])) part.cellHistory = readHistory(cells, names);
+    }
     if (name == stateGrid::boundaryFile) part.patchNames = field.words("patchNames");
     if (vtkDoubleArray* time = field.doubles("TimeValue", 1);
         time->GetNumberOfTuples() != 1 || time->GetValue(0) != uniform.time.value)

@@ -20,6 +20,7 @@ struct Part {
     std::vector<std::vector<Id>> cells;
     std::vector<Id> values;
     std::vector<Stress<Dim>> cellStress;  // empty without cell data `sigma`
+    History cellHistory;                  // empty without cell data of the names in field data `history`
     std::vector<std::string> materials;
     std::vector<std::string> patchNames;  // boundary.vtu only
 

@@ -33,7 +33,7 @@ const char* otherBits(const Nodes<Dim>& a, std::size_t i, const Nodes<Dim>& b, s
 }
 
 /// All parts' nodes by ascending id; the first part that has a node gives its values (solid first: it has
-/// the stress). Nodes in several files must agree.
+/// stress and history). Nodes in several files must agree.
 template <int Dim>
 Nodes<Dim> mergeNodes(const std::vector<const Part<Dim>*>& parts) {
     struct Source {
@@ -46,6 +46,7 @@ Nodes<Dim> mergeNodes(const std::vector<const Part<Dim>*>& parts) {
     std::sort(sources.begin(), sources.end(),
               [](const Source& a, const Source& b) { return std::tie(a.id, a.part) < std::tie(b.id, b.part); });
     Nodes<Dim> nodes;
+    nodes.history.names = parts[0]->nodes.history.names;
     for (const Source& s : sources) {
         const Nodes<Dim>& from = parts[s.part]->nodes;
         if (nodes.id.empty() || nodes.id.back() != s.id)
@@ -125,6 +126,7 @@ State<Dim> readState(const std::filesystem::path& folder) {
     state.mesh.fluid = simplicesOf(fluid, state.nodes, true);
     state.mesh.solid = simplicesOf(solid, state.nodes, false);
     state.mesh.solid.sigma = solid.cellStress;
+    state.mesh.solid.history = solid.cellHistory;
     state.mesh.patches = patchesOf(boundary, state.nodes);
     state.mesh.materials = fluid.materials;
     int faces = 0;

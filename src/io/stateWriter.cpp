@@ -43,6 +43,11 @@ void checkSizes(const State<Dim>& state, const ExtraFields& extra) {
     const std::size_t stresses = state.mesh.solid.sigma.size();
     if ((stresses != 0 && stresses != state.mesh.solid.nodes.size()) || !state.mesh.fluid.sigma.empty())
         throw InternalError("writeState: the number of cell stresses is not the number of solid cells");
+    const History &nodal = nodes.history, &ofCells = state.mesh.solid.history;
+    if (nodal.values.size() != n * nodal.names.size() ||
+        (!ofCells.empty() && (ofCells.values.size() != ofCells.names.size() * state.mesh.solid.nodes.size() ||
+                              ofCells.names != nodal.names)))
+        throw InternalError("writeState: the history of the solids has a wrong length or other names");
     for (const auto* fields : {&extra.nodal, &extra.ofFluid})
         for (const auto& [name, values] : *fields)
             if (values.size() != n) throw InternalError("writeState: extra field '" + name + "' has a wrong length");
@@ -78,6 +83,12 @@ void writeState(const std::filesystem::path& folder, const State<Dim>& state, co
     if (const auto& stress = state.mesh.solid.sigma; !stress.empty())  // elemental integration
         solid->GetCellData()->AddArray(
             makeStress<Dim>(stress, state.mesh.solid.size(), [](int e) { return static_cast<std::size_t>(e); }));
+    if (const History& history = state.nodes.history; !history.empty()) {
+        solid->GetFieldData()->AddArray(makeWords("history", history.names));
+        addHistory(solid->GetPointData(), history, solidNodes.size(),
+                   [&](int i) { return solidNodes.nodes[static_cast<std::size_t>(i)]; });
+    }
+    addHistory(solid->GetCellData(), state.mesh.solid.history, state.mesh.solid.size(), [](int e) { return e; });
     writeGrid(staged.path() / solidFile, solid);
 
     const NodeSet boundaryNodes(members.boundary);

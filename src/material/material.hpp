@@ -1,37 +1,43 @@
 #pragma once
-// Materials by name: constant/materials. One file per law; the table in material.cpp lists them.
+// Materials by name: constant/materials. The laws are listed in lawTable.cpp.
 
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "dictionary/dictionary.hpp"
+#include "material/newtonian.hpp"
 #include "material/solidLaw.hpp"
 
 namespace pfem {
 
-/// Fluid: s = 2 mu (d - tr(d)/3 I), dp/dt = -kappa div v; mu may depend on the shear rate, see material/viscosity.hpp.
+/// Fluid: s = 2 mu (d - tr(d)/3 I) with the law's mu, dp/dt = -kappa div v.
 struct ViscousFluid {
-    double rho = 1000;             // density [kg/m3]
-    double mu = 1e-3;              // dynamic viscosity [Pa s]; with yield stress or exponent the consistency [Pa s^n]
-    double kappa = 2.1e9;          // bulk modulus [Pa]
-    double yieldStress = 0;        // [Pa]
-    double exponent = 1;           // n [-]
-    double regularisation = 1000;  // m [s]
+    double rho = 1000;     // density [kg/m3]
+    double kappa = 2.1e9;  // bulk modulus [Pa]
+    std::shared_ptr<const FluidLaw> law = newtonian(1e-3);
 
-    bool isNewtonian() const { return yieldStress == 0 && exponent == 1; }
+    template <class Visitor>
+    void entries(Visitor& v) {
+        v.required("rho", rho, "kg/m3", "density", positive);
+        v("kappa", kappa, "Pa", "bulk modulus", positive);
+    }
 };
 
-/// Hypoelastic solid: sigma = C : D integrated along the path, isotropic C.
-struct Hypoelastic {
-    double rho = 1000;                              // density in the reference state [kg/m3]
-    double E = 1e6;                                 // Young's modulus [Pa]
-    double nu = 0;                                  // Poisson's ratio [-]
-    std::shared_ptr<const SolidLaw> law = nullptr;  // instead of C : D
+/// Solid: the density, the law, and what the solver's matrices take from it.
+struct Solid {
+    double rho = 1000;                    // in the reference state [kg/m3]
+    IsotropicElasticity elastic;          // the law's elasticity()
+    std::shared_ptr<const SolidLaw> law;  // of a material that is a solid: never null
 
-    double lambda() const { return E * nu / ((1 + nu) * (1 - 2 * nu)); }
-    double mu() const { return E / (2 * (1 + nu)); }
-    double kappa() const { return E / (3 * (1 - 2 * nu)); }
+    template <class Visitor>
+    void entries(Visitor& v) {
+        v.required("rho", rho, "kg/m3", "density in the reference state", positive);
+    }
+    void setLaw(std::shared_ptr<const SolidLaw> other) {
+        law = std::move(other);
+        elastic = law->elasticity();
+    }
 };
 
 enum class MaterialKind { fluid, solid };
@@ -41,7 +47,7 @@ struct Material {
     std::string name;
     MaterialKind kind = MaterialKind::fluid;
     ViscousFluid fluid;
-    Hypoelastic solid;
+    Solid solid;
 };
 
 /// Read all sub-dictionaries of constant/materials. Throws UserError for unknown types and absurd numbers.

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/history.hpp"
 #include "base/types.hpp"
 
 namespace pfem {
@@ -14,6 +15,7 @@ struct Cells {
     std::vector<Simplex<Dim>> nodes;
     std::vector<int> material;            // per cell: index into Mesh::materials
     std::vector<Stress<Dim>> sigma = {};  // Cauchy stress [Pa] of solid cells with elemental integration, else empty
+    History history = {};                 // of the solids' laws, with elemental integration
 
     int size() const { return static_cast<int>(nodes.size()); }
 };

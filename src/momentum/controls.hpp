@@ -73,8 +73,10 @@ struct MomentumControls {
 /// Sub-dictionary `solid`.
 struct SolidControls {
     std::string formulation = "velocity";
-    std::string stressUpdate = "rotatedMidpoint";
     double damping = 0.1;
+    std::string stressUpdate = "rotatedMidpoint";  // read for old cases: see solver/formerEntries.hpp
+
+    bool withPressure() const { return formulation == "velocityPressure"; }
 
     template <class Visitor>
     void entries(Visitor& v) {
@@ -84,8 +86,8 @@ struct SolidControls {
           "`integration` says (elemental: no locking up to nu -> 0.5)",
           oneOf({"velocity", "velocityPressure"}));
         v("stressUpdate", stressUpdate, "-",
-          "rotatedMidpoint (objective), paper (equation (39) as printed), neoHookean (hyperelastic, from the reference "
-          "positions)",
+          "former place of the law, which stands in constant/materials: paper is type hypoelasticPaper there, "
+          "neoHookean type neoHookean; still understood, with a warning",
           oneOf({"rotatedMidpoint", "paper", "neoHookean"}));
         v("damping", damping, "-", "alpha of the zig-zag damper, tau_s = alpha h sqrt(rho/E)", nonNegative);
     }

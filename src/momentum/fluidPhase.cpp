@@ -4,18 +4,19 @@ namespace pfem {
 
 template <int Dim>
 FluidPhase<Dim>::FluidPhase(const Problem<Dim>& ofProblem, const Mesh<Dim>& mesh, const NodeToCells& around,
-                            const Points<Dim>& x, const Points<Dim>& v, Integration scheme)
+                            const Nodes<Dim>& nodes, Integration scheme)
     : problem(ofProblem),
       cells(mesh.fluid),
-      patches(makePatches<Dim>(mesh.fluid.nodes, around, x, scheme)),
+      pressure(nodes.p),
+      patches(makePatches<Dim>(mesh.fluid.nodes, around, nodes.x, scheme)),
       newtonian(isNewtonian<Dim>(problem)),
-      viscosity(flowViscosity<Dim>(problem, cells, patches, v)),
+      viscosity(flowViscosity<Dim>(problem, cells, patches, nodes.v, nodes.p)),
       mu(fromPoints<Dim>(patches, viscosity.mu)) {}
 
 template <int Dim>
 void FluidPhase<Dim>::flow(const Points<Dim>& v) {
     if (newtonian) return;
-    viscosity = flowViscosity<Dim>(problem, cells, patches, v);
+    viscosity = flowViscosity<Dim>(problem, cells, patches, v, pressure);
     mu = fromPoints<Dim>(patches, viscosity.mu);
 }
 

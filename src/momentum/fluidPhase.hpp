@@ -10,14 +10,15 @@ template <int Dim>
 struct FluidPhase {
     const Problem<Dim>& problem;
     const Cells<Dim>& cells;
+    const std::vector<double>& pressure;  // of the nodes, at the start of the step: what the viscosity of grains takes
     Patches<Dim> patches;
     bool newtonian;                // does the viscosity not depend on the flow?
     FlowViscosity<Dim> viscosity;  // of the stress points
     std::vector<double> mu;        // of the cells [Pa s]
 
-    /// At x, in the flow v. The references must outlive the phase.
-    FluidPhase(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const NodeToCells& around, const Points<Dim>& x,
-               const Points<Dim>& v, Integration scheme);
+    /// As it is in `nodes`. The references must outlive the phase.
+    FluidPhase(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const NodeToCells& around, const Nodes<Dim>& nodes,
+               Integration scheme);
 
     /// The patches at x.
     void moveTo(const Points<Dim>& x) { updatePatches<Dim>(patches, x); }

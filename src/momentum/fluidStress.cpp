@@ -1,40 +1,53 @@
 #include "momentum/fluidStress.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/parallel.hpp"
+#include "integration/materialRuns.hpp"
 #include "material/viscosity.hpp"
 
 namespace pfem {
 
 template <int Dim>
 bool isNewtonian(const Problem<Dim>& problem) {
-    return std::all_of(problem.materials.begin(), problem.materials.end(),
-                       [](const Material& m) { return m.kind != MaterialKind::fluid || m.fluid.isNewtonian(); });
+    return std::all_of(problem.materials.begin(), problem.materials.end(), [](const Material& m) {
+        return m.kind != MaterialKind::fluid || !m.fluid.law->dependsOnFlow();
+    });
 }
 
 template <int Dim>
 FlowViscosity<Dim> flowViscosity(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
-                                 const Points<Dim>& v) {
+                                 const Points<Dim>& v, const std::vector<double>& p) {
     const int n = nStressPoints<Dim>(patches);
     FlowViscosity<Dim> result;
     result.mu.assign(n, 0.0);
     const bool depends = !isNewtonian<Dim>(problem);
+    std::vector<double> g, pressure;
     if (depends) {
         result.rate = toPoints<Dim>(patches, elementGradient<Dim>(patches, v));
         result.softening.assign(n, 0.0);
+        g.resize(n);
+        pressure.resize(n);
     }
-#pragma omp parallel for schedule(static) if (patches.nCells() > shortLoop)
-    for (int p = 0; p < n; ++p) {
-        if (!isStressPoint<Dim>(patches, p)) continue;
-        const ViscousFluid& fluid = problem.fluid(cells.material[cellOfPoint<Dim>(patches, p)]);
-        const double g = depends ? shearRate<Dim>(result.rate[p]) : 0;
-        result.mu[p] = viscosity(fluid, g);
-        if (!depends) continue;
-        const Tensor<Dim> L = result.rate[p];
-        result.rate[p] = 0.5 * (L + L.transpose()) - L.trace() / 3 * Tensor<Dim>::Identity();
-        if (g > 0) result.softening[p] = 4 / g * viscositySlope(fluid, g);
-    }
+    forMaterialRuns<Dim>(patches, cells, [&](int material, int first, int last) {
+        const FluidLaw& law = *problem.fluid(material).law;
+        if (!depends) {
+            std::fill(result.mu.begin() + first, result.mu.begin() + last, law.viscosity(0, 0));
+            return;
+        }
+        for (int i = first; i < last; ++i) {
+            g[i] = shearRate<Dim>(result.rate[i]);
+            pressure[i] = atPoint<Dim>(patches, p, i);
+        }
+        law.evaluate({runOf(std::as_const(g), first, last), runOf(std::as_const(pressure), first, last),
+                      runOf(result.mu, first, last), runOf(result.softening, first, last)});
+        for (int i = first; i < last; ++i) {
+            const Tensor<Dim> L = result.rate[i];
+            result.rate[i] = 0.5 * (L + L.transpose()) - L.trace() / 3 * Tensor<Dim>::Identity();
+            result.softening[i] = g[i] > 0 ? 4 / g[i] * result.softening[i] : 0;
+        }
+    });
     return result;
 }
 
@@ -96,7 +109,8 @@ template Points<2> zigzagForce<2>(const Problem<2>&, const Cells<2>&, const Patc
                                   const std::vector<double>&, const Points<2>&);
 template bool isNewtonian<2>(const Problem<2>&);
 template std::vector<double> tangentViscosity<2>(const FlowViscosity<2>&);
-template FlowViscosity<2> flowViscosity<2>(const Problem<2>&, const Cells<2>&, const Patches<2>&, const Points<2>&);
+template FlowViscosity<2> flowViscosity<2>(const Problem<2>&, const Cells<2>&, const Patches<2>&, const Points<2>&,
+                                           const std::vector<double>&);
 template Points<2> viscousForce<2>(const Patches<2>&, const std::vector<double>&, const Points<2>&);
 template std::vector<Tensor<2>> fluidTangentStress<2>(const Patches<2>&, const FlowViscosity<2>&, const Points<2>&,
                                                       const std::vector<double>&);

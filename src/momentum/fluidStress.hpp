@@ -18,10 +18,10 @@ struct FlowViscosity {
     std::vector<double> softening;  // (4/g) d mu/d g [Pa s3], g the shear rate
 };
 
-/// In the flow v.
+/// In the flow v with the nodal pressures p.
 template <int Dim>
 FlowViscosity<Dim> flowViscosity(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
-                                 const Points<Dim>& v);
+                                 const Points<Dim>& v, const std::vector<double>& p);
 
 /// mu + g d mu/d g of the points: what resists a change of the flow in its own direction [Pa s].
 template <int Dim>

@@ -28,11 +28,11 @@ struct Moduli {
     double lambda = 0, mu = 0;  // [Pa s]
 };
 
-Moduli elastic(const Hypoelastic& m, double time) { return {time * m.lambda(), time * m.mu()}; }
+Moduli elastic(const Solid& m, double time) { return {time * m.elastic.lambda(), time * m.elastic.mu()}; }
 
-/// velocityPressure: bulk modulus of what the nodal pressure answers; the rest is integrated at the stress points.
-double pressureModulus(const Hypoelastic& m, const SolidControls& controls) {
-    return splitsEnergy(controls) ? m.lambda() : m.kappa();
+/// What the strain is of the velocity's change: dt times the end-point rate, or times the mean of both ends [s].
+double strainTime(const Solid& material, double dt) {
+    return material.law->kinematics() == Kinematics::endPoint ? dt : 0.5 * dt;
 }
 
 Moduli operator+(const Moduli& a, const Moduli& b) { return {a.lambda + b.lambda, a.mu + b.mu}; }
@@ -113,7 +113,7 @@ template <int Dim>
 SymmetricMatrix solidMatrix(const Problem<Dim>& problem, const SolidControls& controls, const Cells<Dim>& cells,
                             const Patches<Dim>& patches, const SolidDofs<Dim>& dofs, const Points<Dim>& inertia,
                             const std::vector<double>& h, const MidpointRule& midpoint) {
-    const bool withPressure = controls.formulation == "velocityPressure";
+    const bool withPressure = controls.withPressure();
     SymmetricMatrix A = emptySolidMatrix<Dim>(withPressure ? withNodalPoints<Dim>(patches) : patches, dofs);
     for (std::size_t k = 0; k < dofs.node.size(); ++k)
         for (int c = 0; c < dofs.count[dofs.node[k]]; ++c) {
@@ -121,19 +121,18 @@ SymmetricMatrix solidMatrix(const Problem<Dim>& problem, const SolidControls& co
             A.add(unknown, unknown, inertia[dofs.node[k]].dot(dofs.basis[k].col(c).cwiseAbs2()));
         }
 
-    // strain: dt times the end-point rate, or times the mean of both ends
-    const double tangent = controls.stressUpdate == "paper" ? midpoint.dt : 0.5 * midpoint.dt;
     for (int p = 0; p < nStressPoints<Dim>(patches); ++p) {
         if (!isStressPoint<Dim>(patches, p)) continue;
-        const Hypoelastic& material = solidMaterial<Dim>(problem, cells, patches, p);
+        const Solid& material = solidMaterial<Dim>(problem, cells, patches, p);
+        const double tangent = strainTime(material, midpoint.dt);
         const auto row = pointRow<Dim>(patches, p);
         Moduli moduli = elastic(material, tangent);
-        if (withPressure) moduli.lambda -= tangent * pressureModulus(material, controls);
+        if (withPressure) moduli.lambda -= tangent * material.law->volumeModulus();
         const double tau = dampingTime(material, controls.damping, atPoint<Dim>(patches, h, p));
         addStiffness<Dim>(A, dofs, moduli + elastic(material, -tau), row);
     }
     for (int e = 0; e < patches.nCells(); ++e) {
-        const Hypoelastic& material = problem.solid(cells.material[e]);
+        const Solid& material = problem.solid(cells.material[e]);
         const double tau = dampingTime(material, controls.damping, cellMean<Dim>(patches, h, e));
         addStiffness<Dim>(A, dofs, elastic(material, tau), elementRow<Dim>(patches, e));
     }
@@ -141,8 +140,9 @@ SymmetricMatrix solidMatrix(const Problem<Dim>& problem, const SolidControls& co
     const auto atNodes = withNodalPoints<Dim>(patches);
     for (int i = 0; i < atNodes.nNodes(); ++i)
         if (isStressPoint<Dim>(atNodes, i)) {
-            const double modulus = pressureModulus(solidMaterial<Dim>(problem, cells, atNodes, i), controls);
-            addStiffness<Dim>(A, dofs, {tangent * modulus, 0}, pointRow<Dim>(atNodes, i));
+            const Solid& material = solidMaterial<Dim>(problem, cells, atNodes, i);
+            const double modulus = strainTime(material, midpoint.dt) * material.law->volumeModulus();
+            addStiffness<Dim>(A, dofs, {modulus, 0}, pointRow<Dim>(atNodes, i));
         }
     return A;
 }

@@ -31,9 +31,9 @@ template <int Dim>
 SolidDofs<Dim> solidDofs(const NodeToCells& solid, const NodeConstraints<Dim>& constraints);
 
 /// A_s = inertia (surfaceStiffness.hpp) + (c - tau_s) K_points + tau_s K_element,  K = sum Omega G^T C G,
-/// c = dt (paper) or dt/2 (the others); the inertia of solid and fluid together. With elemental integration both K are
-/// one. velocityPressure: c K_points has the deviatoric part of C alone, the nodal patches give its bulk part kappa I
-/// (x) I.
+/// c = dt (laws of the kind endPoint) or dt/2; the inertia of solid and fluid together. With elemental integration both
+/// K are one. velocityPressure: c K_points has C less its volumetric part alone (deviatoric for laws in rates), the
+/// nodal patches give that, volumeModulus I (x) I.
 template <int Dim>
 SymmetricMatrix solidMatrix(const Problem<Dim>& problem, const SolidControls& controls, const Cells<Dim>& cells,
                             const Patches<Dim>& patches, const SolidDofs<Dim>& dofs, const Points<Dim>& inertia,

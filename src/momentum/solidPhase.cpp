@@ -18,7 +18,7 @@ SolidPhase<Dim>::SolidPhase(const Problem<Dim>& ofProblem, const SolidControls& 
 template <int Dim>
 void SolidPhase<Dim>::moveTo(const Nodes<Dim>& old, const Nodes<Dim>& end, double dt) {
     updatePatches<Dim>(patches, end.x);
-    updatePatches<Dim>(gradients, gradientPositions<Dim>(controls, old, end));
+    updateGradientPatches<Dim>(problem, cells, old, end, gradients);
     stress = solidStress<Dim>(problem, controls, cells, gradients, old, end, dt);
     elementStress = solidElementStress<Dim>(problem, controls, cells, gradients, patches, stress, end);
 }

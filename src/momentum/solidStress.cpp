@@ -4,12 +4,75 @@
 #include <cmath>
 
 #include "base/parallel.hpp"
+#include "integration/materialRuns.hpp"
 #include "material/hypoelastic.hpp"
 #include "material/neoHookean.hpp"
+#include "momentum/solidHistory.hpp"
 
 namespace pfem {
 
 namespace {
+
+/// The kinds of laws that the cells have, each once, and that of each cell.
+template <int Dim>
+class KindsOfLaws {
+public:
+    KindsOfLaws(const Problem<Dim>& problem, const Cells<Dim>& cells) : cells_(cells) {
+        for (const auto& material : problem.materials) {
+            const bool solid = material.kind == MaterialKind::solid;
+            ofMaterial_.push_back(solid ? material.solid.law->kinematics() : Kinematics::midpoint);
+        }
+        for (const Kinematics kind : {Kinematics::midpoint, Kinematics::endPoint, Kinematics::reference})
+            if (std::any_of(cells.material.begin(), cells.material.end(),
+                            [&](int m) { return ofMaterial_[m] == kind; }))
+                kinds.push_back(kind);
+    }
+
+    std::vector<Kinematics> kinds;
+
+    bool has(Kinematics kind) const { return std::find(kinds.begin(), kinds.end(), kind) != kinds.end(); }
+    bool only(Kinematics kind) const { return kinds.size() == 1 && kinds[0] == kind; }
+    Kinematics ofCell(int e) const { return ofMaterial_[cells_.material[e]]; }
+    bool isTotal(int e) const { return ofCell(e) == Kinematics::reference; }
+
+    /// `whole` where all cells are of one kind; otherwise put together from a field of each kind: make(kind).
+    template <class Make>
+    auto perCell(const Make& make) const {
+        auto field = make(kinds[0]);
+        for (std::size_t k = 1; k < kinds.size(); ++k) {
+            const auto other = make(kinds[k]);
+            for (int e = 0; e < cells_.size(); ++e)
+                if (ofCell(e) == kinds[k]) field[e] = other[e];
+        }
+        return field;
+    }
+
+private:
+    const Cells<Dim>& cells_;
+    std::vector<Kinematics> ofMaterial_;
+};
+
+/// The positions whose gradients a kind of law takes.
+template <int Dim>
+Points<Dim> gradientPositions(Kinematics kind, const Nodes<Dim>& old, const Nodes<Dim>& trial) {
+    if (kind == Kinematics::endPoint) return trial.x;
+    if (kind == Kinematics::reference) return trial.X;
+    Points<Dim> middle(old.x.size());
+    forEach(old.size(), [&](int i) { middle[i] = 0.5 * (old.x[i] + trial.x[i]); });
+    return middle;
+}
+
+/// The nodal field whose gradient a kind of law takes.
+template <int Dim>
+Points<Dim> gradientField(Kinematics kind, const Nodes<Dim>& old, const Nodes<Dim>& trial, double dt) {
+    if (kind == Kinematics::endPoint) return trial.v;
+    if (kind == Kinematics::reference) return trial.x;
+    Points<Dim> increment(old.x.size());
+    forEach(old.size(), [&](int i) {  // x - x^n without its cancellation
+        increment[i] = 0.5 * dt * (old.v[i] + trial.v[i]);
+    });
+    return increment;
+}
 
 /// Element stress with the force of the energy sum_p Omega_p W(F_p), F_p over the reference patches: the mean of the
 /// points' first Piola stress, carried to the current element by its own F_e. For elements: sigma itself.
@@ -35,67 +98,109 @@ std::vector<Tensor<Dim>> cauchyElementStress(const Patches<Dim>& patches, const 
 
 }  // namespace
 
-double dampingTime(const Hypoelastic& material, double alpha, double h) {
-    return alpha * h * std::sqrt(material.rho / material.E);
-}
-
-bool splitsEnergy(const SolidControls& controls) {
-    return controls.formulation == "velocityPressure" && controls.stressUpdate == "neoHookean";
+double dampingTime(const Solid& material, double alpha, double h) {
+    return alpha * h * std::sqrt(material.rho / material.elastic.E);
 }
 
 template <int Dim>
-const Hypoelastic& solidMaterial(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
-                                 int point) {
+const Solid& solidMaterial(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
+                           int point) {
     return problem.solid(cells.material[cellOfPoint<Dim>(patches, point)]);
 }
 
 template <int Dim>
-Points<Dim> gradientPositions(const SolidControls& controls, const Nodes<Dim>& old, const Nodes<Dim>& trial) {
-    if (controls.stressUpdate == "paper") return trial.x;
-    if (controls.stressUpdate == "neoHookean") return trial.X;
-    Points<Dim> middle(old.x.size());
-    forEach(old.size(), [&](int i) { middle[i] = 0.5 * (old.x[i] + trial.x[i]); });
-    return middle;
+void updateGradientPatches(const Problem<Dim>& problem, const Cells<Dim>& cells, const Nodes<Dim>& old,
+                           const Nodes<Dim>& trial, Patches<Dim>& patches) {
+    const KindsOfLaws<Dim> laws(problem, cells);
+    if (laws.kinds.empty()) return;
+    const auto positions = [&](Kinematics kind) { return gradientPositions<Dim>(kind, old, trial); };
+    updatePatches<Dim>(patches, positions(laws.kinds[0]));
+    if (laws.kinds.size() == 1) return;
+    patches.element = laws.perCell([&](Kinematics kind) {
+        Patches<Dim> at = patches;
+        updatePatches<Dim>(at, positions(kind));
+        return at.element;
+    });
+    updateVolumes<Dim>(patches);
 }
 
 namespace {
 
-/// sigma^{n+1} at the stress points by the law that the user has chosen.
+/// A trial motion at the stress points.
 template <int Dim>
-std::vector<Stress<Dim>> updatedStress(const Problem<Dim>& problem, const SolidControls& controls,
-                                       const Cells<Dim>& cells, const Patches<Dim>& patches, const Nodes<Dim>& old,
-                                       const Nodes<Dim>& trial, double dt) {
-    auto sigma = storedAtPoints<Dim>(patches, old.sigma, cells.sigma);
-    if (patches.nCells() == 0) return sigma;
-    const auto update = [&](const Points<Dim>& field, const auto& law) {
-        const auto gradient = toPoints<Dim>(patches, elementGradient<Dim>(patches, field));
-        forEach(nStressPoints<Dim>(patches), [&](int p) {
-            if (isStressPoint<Dim>(patches, p))
-                sigma[p] = law(solidMaterial<Dim>(problem, cells, patches, p), sigma[p], gradient[p]);
-        });
+struct PointMotion {
+    const Problem<Dim>& problem;
+    const Cells<Dim>& cells;
+    const Patches<Dim>& patches;
+    std::vector<Tensor<Dim>> gradient;  // as the laws take it
+    double dt;
+};
+
+template <int Dim>
+PointMotion<Dim> pointMotion(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
+                             const Nodes<Dim>& old, const Nodes<Dim>& trial, double dt) {
+    const KindsOfLaws<Dim> laws(problem, cells);
+    const auto gradient = [&](Kinematics kind) {
+        return elementGradient<Dim>(patches, gradientField<Dim>(kind, old, trial, dt));
     };
-    using Law = const Hypoelastic&;
-    using Old = const Stress<Dim>&;
-    using Gradient = const Tensor<Dim>&;
-    const bool split = splitsEnergy(controls);
-    if (controls.stressUpdate == "paper") {
-        update(trial.v, [&](Law m, Old s, Gradient L) { return paperUpdate<Dim>(m, s, L, dt); });
-    } else if (controls.stressUpdate == "neoHookean") {
-        update(trial.x, [&](Law m, Old, Gradient F) {
-            return m.law != nullptr ? lawTotal<Dim>(*m.law, F)
-                   : split          ? neoHookeanShear<Dim>(m, F)
-                                    : neoHookeanStress<Dim>(m, F);
-        });
-    } else {
-        Points<Dim> increment(old.x.size());
-        forEach(old.size(), [&](int i) {  // x - x^n without its cancellation
-            increment[i] = 0.5 * dt * (old.v[i] + trial.v[i]);
-        });
-        update(increment, [](Law m, Old s, Gradient du) {
-            return m.law != nullptr ? lawMidpoint<Dim>(*m.law, s, du) : rotatedMidpoint<Dim>(m, s, du);
-        });
+    return {problem, cells, patches, toPoints<Dim>(patches, laws.perCell(gradient)), dt};
+}
+
+/// The stress at the stress points by their laws, and what the laws then remember: in `history`, from that at the start
+/// of the step to that at its end.
+template <int Dim>
+void updateStress(const PointMotion<Dim>& motion, std::vector<Stress<Dim>>& sigma, History& history) {
+    forMaterialRuns<Dim>(motion.patches, motion.cells, [&](int material, int first, int last) {
+        const SolidLaw& law = *motion.problem.solid(material).law;
+        SolidPoints<Dim> points{runOf(motion.gradient, first, last), runOf(sigma, first, last), {}, {}, motion.dt};
+        const auto columns = history.empty() ? std::vector<int>{} : historyColumns(law, history.names);
+        std::vector<double> before, after;
+        if (!columns.empty()) {
+            for (int p = first; p < last; ++p)
+                for (const int k : columns) before.push_back(history.at(p, k));
+            after = before;
+            points.before = before;
+            points.history = after;
+        }
+        law.stress(points);
+        std::size_t next = 0;
+        for (int p = first; p < last && !columns.empty(); ++p)
+            for (const int k : columns) history.at(p, k) = after[next++];
+    });
+}
+
+/// velocityPressure, laws in rates: the stress at the nodes by the elasticity of the laws.
+template <int Dim>
+void predictStress(const PointMotion<Dim>& motion, std::vector<Stress<Dim>>& sigma) {
+    forMaterialRuns<Dim>(motion.patches, motion.cells, [&](int material, int first, int last) {
+        const SolidLaw& law = *motion.problem.solid(material).law;
+        if (law.kinematics() == Kinematics::reference) return;
+        law.predict(
+            SolidPoints<Dim>{runOf(motion.gradient, first, last), runOf(sigma, first, last), {}, {}, motion.dt});
+    });
+}
+
+/// velocityPressure: p of the nodes.
+template <int Dim>
+std::vector<double> nodalPressure(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
+                                  const Nodes<Dim>& old, const Nodes<Dim>& trial, double dt) {
+    std::vector<double> p(patches.nNodes(), 0.0);
+    if (patches.nCells() == 0) return p;
+    const KindsOfLaws<Dim> laws(problem, cells);
+    const auto nodes = withNodalPoints<Dim>(patches);
+    std::vector<double> J;
+    std::vector<Stress<Dim>> sigma;
+    if (laws.has(Kinematics::reference)) J = volumeRatio<Dim>(patches, trial.x);
+    if (!laws.only(Kinematics::reference)) {
+        sigma = old.sigma;
+        predictStress<Dim>(pointMotion<Dim>(problem, cells, nodes, old, trial, dt), sigma);
     }
-    return sigma;
+    for (int i = 0; i < nodes.nNodes(); ++i)
+        if (isStressPoint<Dim>(nodes, i))
+            p[i] = laws.isTotal(cellOfPoint<Dim>(nodes, i))
+                       ? solidMaterial<Dim>(problem, cells, nodes, i).law->volumePressure(J[i])
+                       : pressure<Dim>(sigma[i]);
+    return p;
 }
 
 }  // namespace
@@ -118,22 +223,24 @@ template <int Dim>
 SolidStress<Dim> solidStress(const Problem<Dim>& problem, const SolidControls& controls, const Cells<Dim>& cells,
                              const Patches<Dim>& patches, const Nodes<Dim>& old, const Nodes<Dim>& trial, double dt) {
     SolidStress<Dim> stress;
-    stress.point = updatedStress<Dim>(problem, controls, cells, patches, old, trial, dt);
-    if (controls.formulation == "velocity") return stress;
-    if (splitsEnergy(controls)) {
-        stress.pressure = volumeRatio<Dim>(patches, trial.x);
-        const auto nodes = withNodalPoints<Dim>(patches);
-        for (int i = 0; i < nodes.nNodes(); ++i)
-            stress.pressure[i] =
-                isStressPoint<Dim>(nodes, i)
-                    ? neoHookeanPressure(solidMaterial<Dim>(problem, cells, nodes, i), stress.pressure[i])
-                    : 0;
-        return stress;
+    stress.point = storedAtPoints<Dim>(patches, old.sigma, cells.sigma);
+    if (patches.nCells() > 0) {
+        stress.history = historyAtPoints<Dim>(problem, cells, patches, old.history);
+        const auto motion = pointMotion<Dim>(problem, cells, patches, old, trial, dt);
+        updateStress<Dim>(motion, stress.point, stress.history);
+        const bool whole = !controls.withPressure();
+        forMaterialRuns<Dim>(patches, cells, [&](int material, int first, int last) {
+            const SolidLaw& law = *problem.solid(material).law;
+            const bool total = law.kinematics() == Kinematics::reference;
+            for (int p = first; p < last; ++p)
+                if (total && whole)
+                    stress.point[p] =
+                        withPressure<Dim>(stress.point[p], law.volumePressure(motion.gradient[p].determinant()));
+                else if (!total && !whole)
+                    stress.point[p] = deviator<Dim>(stress.point[p]);
+        });
     }
-    const auto atNodes = updatedStress<Dim>(problem, controls, cells, withNodalPoints<Dim>(patches), old, trial, dt);
-    for (auto& sigma : stress.point) sigma = deviator<Dim>(sigma);
-    for (int i = 0; i < patches.nNodes(); ++i)
-        stress.pressure.push_back(patches.around->count(i) > 0 ? pressure<Dim>(atNodes[i]) : 0);
+    if (controls.withPressure()) stress.pressure = nodalPressure<Dim>(problem, cells, patches, old, trial, dt);
     return stress;
 }
 
@@ -143,15 +250,17 @@ std::vector<Tensor<Dim>> solidElementStress(const Problem<Dim>& problem, const S
                                             const Patches<Dim>& end, const SolidStress<Dim>& stress,
                                             const Nodes<Dim>& trial) {
     if (end.nCells() == 0) return {};
-    auto sum = controls.stressUpdate == "neoHookean" ? hyperelasticElementStress<Dim>(patches, stress.point, trial.x)
-                                                     : cauchyElementStress<Dim>(end, stress.point);
+    auto sum = KindsOfLaws<Dim>(problem, cells).perCell([&](Kinematics kind) {
+        return kind == Kinematics::reference ? hyperelasticElementStress<Dim>(patches, stress.point, trial.x)
+                                             : cauchyElementStress<Dim>(end, stress.point);
+    });
     const auto L = elementGradient<Dim>(end, trial.v);
     const auto mean = fromPoints<Dim>(end, toPoints<Dim>(end, L));
     for (int e = 0; e < end.nCells(); ++e) {
-        const Hypoelastic& material = problem.solid(cells.material[e]);
+        const Solid& material = problem.solid(cells.material[e]);
         const Tensor<Dim> zigzag = L[e] - mean[e];
         sum[e] += dampingTime(material, controls.damping, cellMean<Dim>(end, trial.h, e)) *
-                  stressTensor<Dim>(elasticStress<Dim>(material, 0.5 * (zigzag + zigzag.transpose())));
+                  stressTensor<Dim>(elasticStress<Dim>(material.elastic, 0.5 * (zigzag + zigzag.transpose())));
         if (!stress.pressure.empty()) sum[e] -= cellMean<Dim>(end, stress.pressure, e) * Tensor<Dim>::Identity();
     }
     return sum;
@@ -162,11 +271,22 @@ std::vector<Tensor<Dim>> storedElementStress(const Problem<Dim>& problem, const 
                                              const Cells<Dim>& cells, const Patches<Dim>& patches,
                                              const Nodes<Dim>& nodes) {
     auto gradients = patches;
-    updatePatches<Dim>(gradients, gradientPositions<Dim>(controls, nodes, nodes));
+    updateGradientPatches<Dim>(problem, cells, nodes, nodes, gradients);
     // a hyperelastic stress follows from the positions; the others are what is stored
-    const SolidStress<Dim> stress = controls.stressUpdate == "neoHookean"
-                                        ? solidStress<Dim>(problem, controls, cells, gradients, nodes, nodes, 0)
-                                        : SolidStress<Dim>{storedAtPoints<Dim>(patches, nodes.sigma, cells.sigma), {}};
+    SolidStress<Dim> stress{storedAtPoints<Dim>(patches, nodes.sigma, cells.sigma), {}, {}};
+    const KindsOfLaws<Dim> laws(problem, cells);
+    if (laws.has(Kinematics::reference)) {
+        auto ofPositions = solidStress<Dim>(problem, controls, cells, gradients, nodes, nodes, 0);
+        forMaterialRuns<Dim>(patches, cells, [&](int material, int first, int last) {
+            if (problem.solid(material).law->kinematics() == Kinematics::reference)
+                std::copy(ofPositions.point.begin() + first, ofPositions.point.begin() + last,
+                          stress.point.begin() + first);
+        });
+        stress.pressure = std::move(ofPositions.pressure);
+        for (int i = 0; i < static_cast<int>(stress.pressure.size()); ++i)
+            if (patches.around->count(i) > 0 && !laws.isTotal(patches.around->cell[patches.around->start[i]]))
+                stress.pressure[i] = 0;
+    }
     return solidElementStress<Dim>(problem, controls, cells, gradients, patches, stress, nodes);
 }
 
@@ -181,9 +301,10 @@ void storeSolidStress(const Patches<Dim>& patches, SolidStress<Dim> stress, std:
 }
 
 #define PFEM_INSTANTIATE(D)                                                                                            \
-    template const Hypoelastic& solidMaterial<D>(const Problem<D>&, const Cells<D>&, const Patches<D>&, int);          \
+    template const Solid& solidMaterial<D>(const Problem<D>&, const Cells<D>&, const Patches<D>&, int);                \
     template std::vector<double> volumeRatio<D>(const Patches<D>&, const Points<D>&);                                  \
-    template Points<D> gradientPositions<D>(const SolidControls&, const Nodes<D>&, const Nodes<D>&);                   \
+    template void updateGradientPatches<D>(const Problem<D>&, const Cells<D>&, const Nodes<D>&, const Nodes<D>&,       \
+                                           Patches<D>&);                                                               \
     template SolidStress<D> solidStress<D>(const Problem<D>&, const SolidControls&, const Cells<D>&,                   \
                                            const Patches<D>&, const Nodes<D>&, const Nodes<D>&, double);               \
     template std::vector<Tensor<D>> solidElementStress<D>(const Problem<D>&, const SolidControls&, const Cells<D>&,    \

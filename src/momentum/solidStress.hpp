@@ -10,43 +10,42 @@ namespace pfem {
 
 /// Material of a stress point.
 template <int Dim>
-const Hypoelastic& solidMaterial(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
-                                 int point);
+const Solid& solidMaterial(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
+                           int point);
 
-/// The positions whose gradients the stress update takes: (x^n + x)/2 (rotatedMidpoint), x (paper), X (neoHookean).
+/// The patches at the positions whose gradients the cells' laws take (Kinematics): (x^n + x)/2, x or X. Cells of laws
+/// of different kinds have different ones.
 template <int Dim>
-Points<Dim> gradientPositions(const SolidControls& controls, const Nodes<Dim>& old, const Nodes<Dim>& trial);
+void updateGradientPatches(const Problem<Dim>& problem, const Cells<Dim>& cells, const Nodes<Dim>& old,
+                           const Nodes<Dim>& trial, Patches<Dim>& patches);
 
 /// Omega_I(x) / Omega_I of the patches: how much the volume of each node has grown; 1 outside the material. The nodal
 /// volume is the sum of its cells', so a node may have J > 0 beside an inverted cell.
 template <int Dim>
 std::vector<double> volumeRatio(const Patches<Dim>& reference, const Points<Dim>& x);
 
-/// Is the neo-Hookean energy counted in two parts, that of mu at the stress points and that of lambda at the nodes
-/// (velocityPressure)?
-bool splitsEnergy(const SolidControls& controls);
-
 /// The solid's stress in one iterate.
 template <int Dim>
 struct SolidStress {
     std::vector<Stress<Dim>> point;  // per stress point: sigma, or s (see solidStress) where there is a pressure
     std::vector<double> pressure;    // velocityPressure: p per node, zero outside the material; else empty
+    History history = {};            // per stress point: what the laws remember at the end of the step
 };
 
 /// sigma^{n+1} of every stress point from sigma^n (stored in old.sigma or cells.sigma) and the trial motion, evaluated
 /// afresh at every iteration; of points outside the material the stored value. velocityPressure: s of the stress points
-/// and p of the nodes, p = p^n - kappa tr(De_I) with the strain increment of the nodal patch: that is the mass equation
-/// (1/kappa) dp/dt + div v = 0 with lumped test functions, solved for p at each node. s is the
-/// deviator; with neoHookean it is the part of mu, p that of lambda with J = Omega_I/Omega_I0: both are derivatives of
-/// the energy sum_p Omega_p W_mu(F_p) + sum_I Omega_I0 U(Omega_I/Omega_I0).
-///   patches: at gradientPositions
+/// and p of the nodes. Of laws in rates p = p^n - kappa tr(De_I) with the strain increment of the nodal patch: that is
+/// the mass equation (1/kappa) dp/dt + div v = 0 with lumped test functions, solved for p at each node; s is the
+/// deviator. Of hyperelastic laws p = - U'(J) with J = Omega_I/Omega_I0, and s the rest: both are derivatives of the
+/// energy sum_p Omega_p W_s(F_p) + sum_I Omega_I0 U(Omega_I/Omega_I0).
+///   patches: updateGradientPatches
 template <int Dim>
 SolidStress<Dim> solidStress(const Problem<Dim>& problem, const SolidControls& controls, const Cells<Dim>& cells,
                              const Patches<Dim>& patches, const Nodes<Dim>& old, const Nodes<Dim>& trial, double dt);
 
 /// Element stress that makes the nodal force from the points' stress (fromPoints) and the pressure, plus the damper's
 /// tau_s C : (d_e - fromPoints(d)_e), which vanishes for linear velocity fields and for elemental integration.
-///   patches: at gradientPositions;  end: at trial.x
+///   patches: updateGradientPatches;  end: at trial.x
 template <int Dim>
 std::vector<Tensor<Dim>> solidElementStress(const Problem<Dim>& problem, const SolidControls& controls,
                                             const Cells<Dim>& cells, const Patches<Dim>& patches,
@@ -65,6 +64,6 @@ void storeSolidStress(const Patches<Dim>& patches, SolidStress<Dim> stress, std:
                       std::vector<Stress<Dim>>& cell);
 
 /// tau_s = alpha h sqrt(rho/E) [s].
-double dampingTime(const Hypoelastic& material, double alpha, double h);
+double dampingTime(const Solid& material, double alpha, double h);
 
 }  // namespace pfem

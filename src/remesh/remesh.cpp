@@ -30,6 +30,7 @@ void insertNode(const Nodes<Dim>& old, int i, int j, int wall, State<Dim>& state
     nodes.a.back() = 0.5 * (old.a[i] + old.a[j]);
     nodes.p.back() = 0.5 * (old.p[i] + old.p[j]);
     nodes.sigma.back().setZero();
+    for (int k = 0; k < nodes.history.width(); ++k) nodes.history.at(nodes.size() - 1, k) = 0;
     nodes.X.back() = nodes.x.back();
     nodes.h.back() = 0.5 * (old.h[i] + old.h[j]);
     nodes.dropVolume.back() = nodes.lostVolume.back() = 0;

@@ -67,6 +67,7 @@ Motion<Dim> move(const Problem<Dim>& problem, const Problem<Dim>& within, const 
     motion.xOld = std::move(state.nodes.x);
     state.nodes = std::move(result.nodes);
     state.mesh.solid.sigma = std::move(result.cellSigma);
+    state.mesh.solid.history = std::move(result.cellHistory);
     account.bookSolver(motion.returned, motion.compressed, state);
     return motion;
 }

@@ -176,31 +176,32 @@ std::vector<std::string> doubts(const Dictionary& materials, const Dictionary& g
             doubt(materials.subDict(material.name), "kappa",
                   fmt::format("under its own weight ({:.3g} m deep) this fluid loses more than a tenth of its volume",
                               depth));
-        if (material.kind == MaterialKind::solid && material.solid.rho * g * depth > 10 * material.solid.E)
-            doubt(materials.subDict(material.name), "E", "this solid is crushed by its own weight");
+        if (material.kind == MaterialKind::solid && material.solid.rho * g * depth > 10 * material.solid.elastic.E)
+            doubt(materials.subDict(material.name), materials.subDict(material.name).found("E") ? "E" : "type",
+                  "this solid is crushed by its own weight");
     }
     return found;
 }
 
 template <int Dim>
-void checkLaws(const Problem<Dim>& problem, const SolidControls& controls, const Dictionary& pfemSolution) {
-    for (const auto& material : problem.materials) {
-        const SolidLaw* law = material.solid.law.get();
-        if (law == nullptr) continue;
-        if (law->isTotal() && controls.formulation == "velocityPressure")
-            pfemSolution.subDictOrEmpty("solid").fatal(
-                "formulation",
-                fmt::format("the law of material '{}' gives its stress whole: it needs the formulation velocity",
-                            material.name));
-        const std::string needed = law->isTotal() ? "neoHookean" : "rotatedMidpoint";
-        if (controls.stressUpdate != needed)
-            pfemSolution.subDictOrEmpty("solid").fatal(
-                "stressUpdate",
-                fmt::format("the law of material '{}' needs the stressUpdate {}", material.name, needed));
-    }
+void checkLaws(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const IntegrationControls& integration) {
+    if (integration.scheme() == Integration::elemental) return;
+    std::map<int, int> cellOf;
+    const auto kindOf = [&](int e) { return problem.solid(mesh.solid.material[e]).law->kinematics(); };
+    for (int e = 0; e < mesh.solid.size(); ++e)
+        for (const int node : mesh.solid.nodes[e]) {
+            const int other = cellOf.emplace(node, e).first->second;
+            if (kindOf(other) == kindOf(e)) continue;
+            throw UserError(fmt::format(
+                "The solids of the materials '{}' and '{}' have common nodes, but one law takes its stress from the "
+                "deformation since the start and the other from the strain of each step: a node cannot have the mean "
+                "of "
+                "both. Use 'integration elemental;' in system/pfemSolution, or laws of one kind",
+                problem.materials[mesh.solid.material[other]].name, problem.materials[mesh.solid.material[e]].name));
+        }
 }
 
-template void checkLaws<2>(const Problem<2>&, const SolidControls&, const Dictionary&);
+template void checkLaws<2>(const Problem<2>&, const Mesh<2>&, const IntegrationControls&);
 template std::vector<std::string> doubts<2>(const Dictionary&, const Dictionary&, const Dictionary&, const Problem<2>&,
                                             const State<2>&);
 template void checkState<2>(const std::filesystem::path&, const State<2>&);

@@ -26,10 +26,10 @@ void checkConditions(const Dictionary& dict, const BoundaryConditions<Dim>& cond
 template <int Dim>
 void checkState(const std::filesystem::path& folder, const State<Dim>& state);
 
-/// Throws UserError, in system/pfemSolution, for a material of another project whose law is not of the form that
-/// solid/stressUpdate asks for.
+/// Throws UserError where nodal integration would have to take the mean of laws of different Kinematics: at a common
+/// node of two solids.
 template <int Dim>
-void checkLaws(const Problem<Dim>& problem, const SolidControls& controls, const Dictionary& pfemSolution);
+void checkLaws(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const IntegrationControls& integration);
 
 /// Sentences about numbers that can be computed but hardly be meant, each naming its entry with file and line: nothing
 /// drives the case (no gravity, velocity, load or motion), gravity or weight of the fluid out of proportion.

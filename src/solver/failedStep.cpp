@@ -77,6 +77,9 @@ Inspection<Dim> inspect(const FailedStep<Dim>& failure, const State<Dim>& last) 
     for (int i = 0; i < nodes.size(); ++i) result.failed[i] = mend(nodes, i, last.nodes);
     for (auto& sigma : state.mesh.solid.sigma)
         if (!sigma.allFinite()) sigma.setZero();
+    for (auto* history : {&state.nodes.history, &state.mesh.solid.history})
+        for (double& value : history->values)
+            if (!std::isfinite(value)) value = 0;
     for (const auto& cell : state.mesh.solid.nodes)
         if (!(simplexMeasure<Dim>(nodes.x, cell) > 0))
             for (int i : cell) result.failed[i] = 1;

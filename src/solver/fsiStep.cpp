@@ -1,5 +1,6 @@
 #include "solver/fsiStep.hpp"
 
+#include "momentum/solidHistory.hpp"
 #include "solver/continuityEquation.hpp"
 #include "solver/convergence.hpp"
 #include "solver/momentumEquation.hpp"
@@ -16,7 +17,8 @@ StepResult<Dim> accepted(FluidPhase<Dim>& fluid, SolidPhase<Dim>& solid, Trial<D
     fluid.moveTo(trial.end.x);
     updatePatches<Dim>(solid.patches, trial.end.x);
     checkPatches<Dim>(fluid, solid, trial.end);
-    StepResult<Dim> result{std::move(trial.end), {}, report};
+    StepResult<Dim> result{std::move(trial.end), {}, {}, report};
+    storeHistory<Dim>(solid.patches, std::move(solid.stress.history), result.nodes.history, result.cellHistory);
     storeSolidStress<Dim>(solid.patches, std::move(solid.stress), result.nodes.sigma, result.cellSigma);
     return result;
 }
@@ -26,7 +28,7 @@ template <int Dim>
 StepResult<Dim> iterate(const Step<Dim>& step, const Controls& controls, Trial<Dim>& trial) {
     const Integration scheme = controls.integration.scheme();
     const Nodes<Dim>& old = step.old;
-    FluidPhase<Dim> fluid(step.problem, step.mesh, step.topology.fluid, old.x, old.v, scheme);
+    FluidPhase<Dim> fluid(step.problem, step.mesh, step.topology.fluid, old, scheme);
     SolidPhase<Dim> solid(step.problem, controls.solid, step.mesh, step.topology.solid, old, scheme);
     MomentumEquation<Dim> momentum(step, controls, fluid, solid);
     ContinuityEquation<Dim> continuity(step, controls, fluid, momentum);

@@ -19,6 +19,7 @@ template <int Dim>
 struct StepResult {
     Nodes<Dim> nodes;
     std::vector<Stress<Dim>> cellSigma;  // of the solid's cells, for Cells::sigma; empty with nodal integration
+    History cellHistory;                 // the same for Cells::history
     StepReport report;
 };
 

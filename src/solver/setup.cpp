@@ -5,6 +5,7 @@
 
 #include "dictionary/dimensions.hpp"
 #include "solver/checkProblem.hpp"
+#include "solver/formerEntries.hpp"
 
 namespace pfem {
 
@@ -53,6 +54,8 @@ Problem<Dim> readProblem(const Case& theCase, const State<Dim>& state, std::ostr
     check(mesh.fluid, MaterialKind::fluid, "fluid");
     check(mesh.solid, MaterialKind::solid, "solid");
     checkOneFluid<Dim>(materials, mesh);
+    const std::string moved = applyStressUpdate<Dim>(pfemSolution(theCase), problem);
+    if (warnings && !moved.empty()) *warnings << "--> PFEM Warning: " << moved << "\n";
 
     const Dictionary g = Dictionary::read(theCase.constant("g"));
     problem.gravityOverTime = readGravity<Dim>(g);

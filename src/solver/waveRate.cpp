@@ -29,8 +29,9 @@ template <int Dim>
 double elasticWaveRate(const Problem<Dim>& problem, const State<Dim>& state) {
     double rate = 0;
     for (int e = 0; e < state.mesh.solid.size(); ++e) {
-        const Hypoelastic& solid = problem.solid(state.mesh.solid.material[e]);
-        const double modulus = solid.E * (1 - solid.nu) / ((1 + solid.nu) * (1 - 2 * solid.nu));
+        const Solid& solid = problem.solid(state.mesh.solid.material[e]);
+        const auto [E, nu] = solid.elastic;
+        const double modulus = E * (1 - nu) / ((1 + nu) * (1 - 2 * nu));
         rate = std::max(rate, std::sqrt(modulus / solid.rho) / leastSize<Dim>(state.nodes, state.mesh.solid.nodes[e]));
     }
     return rate;

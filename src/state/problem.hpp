@@ -16,7 +16,7 @@ struct Problem {
     BoundaryConditions<Dim> conditions;
 
     const ViscousFluid& fluid(int material) const { return materials[material].fluid; }
-    const Hypoelastic& solid(int material) const { return materials[material].solid; }
+    const Solid& solid(int material) const { return materials[material].solid; }
 };
 
 /// The problem with gravity and tractions of time t [s].

@@ -1,12 +1,13 @@
 #pragma once
-// All that a run knows at one instant; a time folder holds exactly this, but for the ledger's
-// fields. Only nodes carry history,
-// and with elemental integration the solid's cells (Cells::sigma), which last for the whole run.
+// All that a run knows at one instant; a time folder holds exactly this, but for the ledger's fields. Only nodes carry
+// history, and with elemental integration the solid's cells (Cells::sigma, Cells::history), which last for the whole
+// run.
 
 #include <map>
 #include <string>
 #include <vector>
 
+#include "base/history.hpp"
 #include "base/types.hpp"
 #include "case/timeInfo.hpp"
 #include "mesh/mesh.hpp"
@@ -30,6 +31,7 @@ struct Nodes {
     std::vector<double> dropVolume;  // volume carried by an isolated particle [m2 (2D), m3]
     std::vector<double> lostVolume;  // what the fluid around the node has lost and not got back; < 0: gained
     std::vector<int> wall;           // the wall face along which the node slides (counted over all patches) or -1
+    History history;                 // of the solids' laws (elemental: mean of cells); nothing when none has any
 
     int size() const { return static_cast<int>(id.size()); }
     void resize(int n);
@@ -69,6 +71,7 @@ void Nodes<Dim>::resize(int n) {
     dropVolume.resize(m, 0.0);
     lostVolume.resize(m, 0.0);
     wall.resize(m, -1);
+    history.resize(n);
 }
 
 template <int Dim>
@@ -84,6 +87,7 @@ void Nodes<Dim>::append(const Nodes& other, int i) {
     dropVolume.push_back(other.dropVolume[i]);
     lostVolume.push_back(other.lostVolume[i]);
     wall.push_back(other.wall[i]);
+    history.append(other.history, i);
 }
 
 template <int Dim>
@@ -104,6 +108,7 @@ Nodes<Dim> Nodes<Dim>::taken(const std::vector<int>& indices) const {
     take(result.dropVolume, dropVolume);
     take(result.lostVolume, lostVolume);
     take(result.wall, wall);
+    result.history = history.taken(indices);
     return result;
 }
 

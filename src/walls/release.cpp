@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "material/viscosity.hpp"
 #include "state/unseenPart.hpp"
 #include "walls/wallLine.hpp"
 
@@ -19,7 +18,7 @@ void releaseFromWalls<2>(const WallControls& controls, const Topology<2>& topolo
         const double rate = slip.norm() / nodes.h[i];
         const double scale = fluid.rho * (gravity.norm() * nodes.h[i] + 0.5 * slip.squaredNorm() +
                                           unseenPart * std::pow(nodes.h[i] / dt, 2)) +
-                             viscosity(fluid, rate) * rate;
+                             fluid.law->viscosity(rate, nodes.p[i]) * rate;
         const bool pulledOff =  // the wall's acceleration is the normal part of a
             topology.isolated(i) && (gravity - nodes.a[i]).dot(line.inward) > 1e-9 * gravity.norm();
         if (!pulledOff && !(topology.freeSurface[i] && -nodes.p[i] > controls.wallTension * scale)) continue;

@@ -42,7 +42,7 @@ struct Fluid {
             for (int i = 0; i < n; ++i) middle.a[i] = (trial.v[i] - old.v[i]) / dt;
         const auto& controls = c.controls.continuity;
         const auto constraints = c.constraints(topology);
-        FluidPhase<2> fluid(c.problem, c.state.mesh, topology.fluid, old.x, old.v, Integration::nodal);
+        FluidPhase<2> fluid(c.problem, c.state.mesh, topology.fluid, old, Integration::nodal);
         fluid.patches = patches;
         const Step<2> step{c.problem, c.state.mesh, topology, constraints, old, {dt}, divTarget};
         const auto projected = projectedCells<2>(controls, c.problem, c.state.mesh.fluid, topology, old);
@@ -50,7 +50,7 @@ struct Fluid {
     }
     std::vector<double> viscosities() const {
         return std::vector<double>(c.state.mesh.fluid.size(),
-                                   c.problem.materials[c.state.mesh.fluid.material[0]].fluid.mu);
+                                   c.problem.materials[c.state.mesh.fluid.material[0]].fluid.law->viscosity(0, 0));
     }
 };
 
@@ -140,7 +140,7 @@ TEST(ContinuityResidual, divergenceIsAdjointToThePressureForce) {
     Fluid f(irregularPair());
     f.c.problem.gravity.setZero();
     std::fill(f.tau.begin(), f.tau.end(), 0.0);
-    for (auto& m : f.c.problem.materials) m.fluid.mu = 0;
+    for (auto& m : f.c.problem.materials) m.fluid.law = newtonian(0);
     const auto v = randomVectors(f.n, 1);
     const auto p = randomNumbers(f.n, 2);
     Nodes<2> trial = f.c.state.nodes;

@@ -53,7 +53,7 @@ struct Coupled {
         return {problem, c.state.mesh, topology, constraints, c.state.nodes, midpoint};
     }
     FluidPhase<2> phase(const Problem<2>& problem) const {
-        return {problem, c.state.mesh, topology.fluid, x, c.state.nodes.v, Integration::nodal};
+        return {problem, c.state.mesh, topology.fluid, c.state.nodes, Integration::nodal};
     }
     ContinuitySystem<2> system(const ContinuityControls& controls) const {
         return {step(c.problem), controls, phase(c.problem), {tau, projected(controls)}, x, {dofs, A}};

@@ -100,6 +100,10 @@ inline void expectIdentical(const State<2>& a, const State<2>& b) {
     EXPECT_EQ(a.mesh.solid.nodes, b.mesh.solid.nodes);
     EXPECT_EQ(a.mesh.solid.material, b.mesh.solid.material);
     EXPECT_TRUE(sameBits(a.mesh.solid.sigma, b.mesh.solid.sigma));
+    EXPECT_EQ(a.nodes.history.names, b.nodes.history.names);
+    EXPECT_EQ(a.mesh.solid.history.names, b.mesh.solid.history.names);
+    EXPECT_TRUE(sameBits(a.nodes.history.values, b.nodes.history.values));
+    EXPECT_TRUE(sameBits(a.mesh.solid.history.values, b.mesh.solid.history.values));
     EXPECT_TRUE(sameBits(a.mesh.fluid.sigma, b.mesh.fluid.sigma));
     EXPECT_EQ(a.mesh.materials, b.mesh.materials);
     ASSERT_EQ(a.mesh.patches.size(), b.mesh.patches.size());

@@ -12,7 +12,7 @@ using namespace pfem;
 
 namespace {
 
-const Hypoelastic material{1500, 2e5, 0.3};
+const IsotropicElasticity material{2e5, 0.3};
 
 Tensor<2> turned(double angle) { return Eigen::Rotation2Dd(angle).toRotationMatrix(); }
 

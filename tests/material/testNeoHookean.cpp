@@ -14,7 +14,7 @@ using namespace pfem;
 
 namespace {
 
-const Hypoelastic rubber{1500, 2e5, 0.3};
+const IsotropicElasticity rubber{2e5, 0.3};
 
 template <int Dim>
 Tensor<Dim> strained() {

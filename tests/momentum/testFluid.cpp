@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "material/herschelBulkley.hpp"
 #include "material/viscosity.hpp"
 #include "momentum/fluidStress.hpp"
 #include "momentum/mass.hpp"
@@ -21,6 +22,10 @@ struct Fluid {
     Patches<2> patches = makePatches<2>(c.state.mesh.fluid.nodes, topology.fluid, c.state.nodes.x);
     int n = c.state.nodes.size();
 
+    /// A yield stress of 20 Pa and a flow index of 0.6.
+    void useMud() {
+        for (auto& m : c.problem.materials) m.fluid.law = herschelBulkley({mu, 0.6, 20, 0.5});
+    }
     Points<2> force(const std::vector<Tensor<2>>& stress) const {
         Points<2> f(n, Vec<2>::Zero());
         addInternalForce<2>(patches, stress, f);
@@ -30,7 +35,7 @@ struct Fluid {
         return force(fluidTangentStress<2>(patches, {viscosities(), {}, {}}, v, bulk));
     }
     std::vector<double> viscosities() const {
-        return flowViscosity<2>(c.problem, c.state.mesh.fluid, patches, c.state.nodes.v).mu;
+        return flowViscosity<2>(c.problem, c.state.mesh.fluid, patches, c.state.nodes.v, c.state.nodes.p).mu;
     }
     double area() const {
         double sum = 0;
@@ -97,11 +102,7 @@ TEST(ViscousOperator, ofAFluidWithYieldStressIsTheDerivative) {
     for (const Integration scheme : {Integration::nodal, Integration::elemental}) {
         Fluid f;
         f.patches.scheme = scheme;
-        for (auto& m : f.c.problem.materials) {
-            m.fluid.yieldStress = 20;
-            m.fluid.exponent = 0.6;
-            m.fluid.regularisation = 0.5;
-        }
+        f.useMud();
         const auto& cells = f.c.state.mesh.fluid;
         const auto v = randomVectors(f.n, 1), w = randomVectors(f.n, 2);
         const double eps = 1e-4;
@@ -111,11 +112,12 @@ TEST(ViscousOperator, ofAFluidWithYieldStressIsTheDerivative) {
             minus[i] -= eps * w[i];
         }
         const auto forceAt = [&](const Points<2>& u) {
-            return viscousForce<2>(f.patches, flowViscosity<2>(f.c.problem, cells, f.patches, u).mu, u);
+            return viscousForce<2>(f.patches, flowViscosity<2>(f.c.problem, cells, f.patches, u, f.c.state.nodes.p).mu,
+                                   u);
         };
         const auto a = forceAt(plus), b = forceAt(minus);
-        const auto exact =
-            f.force(fluidTangentStress<2>(f.patches, flowViscosity<2>(f.c.problem, cells, f.patches, v), w, {}));
+        const auto exact = f.force(fluidTangentStress<2>(
+            f.patches, flowViscosity<2>(f.c.problem, cells, f.patches, v, f.c.state.nodes.p), w, {}));
         for (int i = 0; i < f.n; ++i) EXPECT_LT(((a[i] - b[i]) / (2 * eps) - exact[i]).norm(), 1e-5 * largest(exact));
         EXPECT_GT(largest(exact), 0.1);
     }
@@ -124,20 +126,17 @@ TEST(ViscousOperator, ofAFluidWithYieldStressIsTheDerivative) {
 // d(g mu(g))/d g, g the shear rate
 TEST(ViscousOperator, tangentViscosity) {
     Fluid f;
-    for (auto& m : f.c.problem.materials) {
-        m.fluid.yieldStress = 20;
-        m.fluid.exponent = 0.6;
-        m.fluid.regularisation = 0.5;
-    }
+    f.useMud();
     const auto v = randomVectors(f.n, 3);
-    const auto flow = flowViscosity<2>(f.c.problem, f.c.state.mesh.fluid, f.patches, v);
+    const auto flow = flowViscosity<2>(f.c.problem, f.c.state.mesh.fluid, f.patches, v, f.c.state.nodes.p);
     const auto tangent = tangentViscosity<2>(flow);
     const auto L = toPoints<2>(f.patches, elementGradient<2>(f.patches, v));
-    const ViscousFluid& mud = f.c.problem.fluid(0);
+    const FluidLaw& mud = *f.c.problem.fluid(0).law;
     for (int i = 0; i < f.n; ++i) {
         if (flow.mu[i] == 0) continue;  // a node of the solid
         const double g = shearRate<2>(L[i]), eps = 1e-6 * g;
-        const double exact = ((g + eps) * viscosity(mud, g + eps) - (g - eps) * viscosity(mud, g - eps)) / (2 * eps);
+        const double exact =
+            ((g + eps) * mud.viscosity(g + eps, 0) - (g - eps) * mud.viscosity(g - eps, 0)) / (2 * eps);
         EXPECT_NEAR(tangent[i], exact, 1e-6 * flow.mu[i]);
         EXPECT_LT(tangent[i], flow.mu[i]);
     }

@@ -16,7 +16,7 @@ using namespace pfem::test;
 
 namespace {
 
-struct Solid {
+struct SolidCase {
     TestCase c = irregularPair();
     Topology<2> topology = c.topology();
     NodeConstraints<2> constraints = c.constraints(topology);
@@ -26,6 +26,12 @@ struct Solid {
     Integration scheme = Integration::nodal;
 
     Patches<2> patches(const Points<2>& x) const { return makePatches<2>(cells.nodes, topology.solid, x, scheme); }
+
+    Patches<2> gradientPatches(const Nodes<2>& old, const Nodes<2>& t) const {
+        auto at = patches(t.x);
+        updateGradientPatches<2>(c.problem, cells, old, t, at);
+        return at;
+    }
 
     /// Positions at the end of the step and the stress there.
     struct Trial {
@@ -39,12 +45,12 @@ struct Solid {
         return stressOf(controls, old, t, dt);
     }
     Trial stressOf(const SolidControls& controls, const Nodes<2>& old, const Nodes<2>& t, double dt) const {
-        const auto gradients = patches(gradientPositions<2>(controls, old, t));
+        const auto gradients = gradientPatches(old, t);
         return {t, solidStress<2>(c.problem, controls, cells, gradients, old, t, dt)};
     }
     Points<2> force(const SolidControls& controls, const Nodes<2>& old, const Trial& t) const {
         Points<2> f(n, Vec<2>::Zero());
-        const auto gradients = patches(gradientPositions<2>(controls, old, t.nodes)), end = patches(t.nodes.x);
+        const auto gradients = gradientPatches(old, t.nodes), end = patches(t.nodes.x);
         addInternalForce<2>(end, solidElementStress<2>(c.problem, controls, cells, gradients, end, t.stress, t.nodes),
                             f);
         return f;
@@ -52,7 +58,7 @@ struct Solid {
     /// Force of the damper alone: no stress.
     Points<2> dampingForce(const SolidControls& controls, const Nodes<2>& nodes) const {
         const std::vector<Stress<2>> zero(nStressPoints<2>(patches(nodes.x)), Stress<2>::Zero());
-        return force(controls, nodes, {nodes, {zero, {}}});
+        return force(controls, nodes, {nodes, {zero, {}, {}}});
     }
     bool carries(int p) const { return isStressPoint<2>(patches(c.state.nodes.x), p); }
 };
@@ -70,10 +76,10 @@ class SolidTangent : public testing::TestWithParam<std::tuple<const char*, doubl
 
 // A_s = d(residual)/dv at small strain, for all updates, with and without damper, both time schemes and integrations.
 TEST_P(SolidTangent, isTheDerivativeOfTheResidual) {
-    Solid s;
+    SolidCase s;
     s.scheme = std::get<3>(GetParam());
     SolidControls controls;
-    controls.stressUpdate = std::get<0>(GetParam());
+    useUpdate(s.c.problem, std::get<0>(GetParam()));
     controls.damping = std::get<1>(GetParam());
     controls.formulation = std::get<4>(GetParam());
     const MidpointRule midpoint{2e-3, std::get<2>(GetParam())};
@@ -117,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(velocityPressure, SolidTangent,
                                           testing::Values("velocityPressure")));
 
 TEST(Damper, vanishesForLinearFieldsAndDissipatesTheRest) {
-    Solid s;
+    SolidCase s;
     SolidControls controls;
     controls.damping = 0.1;
     Nodes<2> nodes = s.c.state.nodes;
@@ -135,7 +141,7 @@ TEST(Damper, vanishesForLinearFieldsAndDissipatesTheRest) {
 }
 
 TEST(Damper, timeScale) {
-    EXPECT_NEAR(dampingTime(Hypoelastic{1500, 2e5, 0.3}, 0.1, 0.02), 0.1 * 0.02 * std::sqrt(1500 / 2e5), 1e-15);
+    EXPECT_NEAR(dampingTime(Solid{1500, {2e5, 0.3}, nullptr}, 0.1, 0.02), 0.1 * 0.02 * std::sqrt(1500 / 2e5), 1e-15);
 }
 
 // A block that turns rigidly, node by node, by 360 degrees: its stress turns with it.
@@ -143,7 +149,7 @@ TEST(SolidStress, stressedBlockTurnsBy360Degrees) {
     for (const Integration scheme : {Integration::nodal, Integration::elemental})
         for (const auto& [stressed, formulation] :
              {std::pair(true, "velocity"), std::pair(false, "velocity"), std::pair(true, "velocityPressure")}) {
-            Solid s;
+            SolidCase s;
             s.scheme = scheme;
             SolidControls controls;
             controls.formulation = formulation;
@@ -180,10 +186,10 @@ TEST(SolidStress, uniaxialStrain) {
     const double E = 2e5, nu = 0.3, M = E * (1 - nu) / ((1 + nu) * (1 - 2 * nu)), dt = 1e-3, strain = 1e-6;
     for (const Integration scheme : {Integration::nodal, Integration::elemental})
         for (const char* update : {"rotatedMidpoint", "paper", "neoHookean"}) {
-            Solid s;
+            SolidCase s;
             s.scheme = scheme;
             SolidControls controls;
-            controls.stressUpdate = update;
+            useUpdate(s.c.problem, update);
             Points<2> v(s.n);
             for (int i = 0; i < s.n; ++i) v[i] = Vec<2>(0, strain / dt * s.c.state.nodes.x[i][1]);
             Nodes<2> old = s.c.state.nodes;
@@ -201,7 +207,7 @@ TEST(SolidStress, uniaxialStrain) {
 
 // Nodal pressure with nodal deviators is the nodal method itself; with elemental ones it is neither of the two.
 TEST(VelocityPressure, nodalIsTheNodalMethod) {
-    Solid s;
+    SolidCase s;
     SolidControls velocity, mixed;
     mixed.formulation = "velocityPressure";
     const auto v = randomVectors(s.n, 8);
@@ -224,12 +230,12 @@ TEST(VelocityPressure, nodalIsTheNodalMethod) {
 TEST(NeoHookean, forceIsTheDerivativeOfTheEnergy) {
     for (const char* formulation : {"velocity", "velocityPressure"})
         for (const char* integration : {"nodal", "elemental"}) {
-            Solid s;
+            SolidCase s;
             Controls all;
             all.integration.integration = integration;
             SolidControls& controls = all.solid;
             s.scheme = all.integration.scheme();
-            controls.stressUpdate = "neoHookean";
+            useUpdate(s.c.problem, "neoHookean");
             controls.formulation = formulation;
             controls.damping = 0;
             const Nodes<2>& old = s.c.state.nodes;
@@ -257,7 +263,7 @@ TEST(NeoHookean, forceIsTheDerivativeOfTheEnergy) {
 }
 
 TEST(SolidMass, isThatOfTheReferencePositions) {
-    Solid s;
+    SolidCase s;
     const auto mass = solidMass<2>(s.c.problem, s.cells, s.c.state.nodes.X);
     const auto patches = s.patches(s.c.state.nodes.X);
     for (int i = 0; i < s.n; ++i) EXPECT_NEAR(mass[i], 1500 * patches.volume[i], 1e-10);

@@ -38,7 +38,7 @@ TEST(MomentumSystem, solutionBalancesTheResidual) {
         MomentumControls controls;
         controls.theta = theta;
         controls.linearTolerance = 1e-13;
-        const FluidPhase<2> phase(c.problem, c.state.mesh, topology.fluid, x, c.state.nodes.v, Integration::nodal);
+        const FluidPhase<2> phase(c.problem, c.state.mesh, topology.fluid, c.state.nodes, Integration::nodal);
         const Step<2> step{c.problem, c.state.mesh, topology, constraints, c.state.nodes, midpoint};
         MomentumSystem<2> system(step, controls, phase, inertia, {dofs, A});
 
@@ -89,8 +89,7 @@ TEST(MomentumSystem, aFewLightNodesDoNotMakeAThickFluid) {
         const MidpointRule midpoint{1e-3};
         const auto fluid = makePatches<2>(c.state.mesh.fluid.nodes, topology.fluid, c.state.nodes.x);
         const auto mass = fluidMass<2>(c.problem, c.state.mesh.fluid, fluid);
-        const FluidPhase<2> phase(c.problem, c.state.mesh, topology.fluid, c.state.nodes.x, c.state.nodes.v,
-                                  Integration::nodal);
+        const FluidPhase<2> phase(c.problem, c.state.mesh, topology.fluid, c.state.nodes, Integration::nodal);
         const Step<2> step{c.problem, c.state.mesh, topology, constraints, c.state.nodes, midpoint};
         MomentumSystem<2> system(step, {}, phase,
                                  matrixInertia<2>(mass, Points<2>(mass.size(), Vec<2>::Zero()), midpoint),
@@ -181,7 +180,7 @@ TEST(MomentumResidual, weightTractionAndInertia) {
     const Vec<2> a(0.5, 0.25), g(0, -9.81);
     Nodes<2> moved = nodes;
     moved.a.assign(nodes.size(), a);
-    const FluidPhase<2> fluid(c.problem, c.state.mesh, topology.fluid, nodes.x, nodes.v, Integration::nodal);
+    const FluidPhase<2> fluid(c.problem, c.state.mesh, topology.fluid, nodes, Integration::nodal);
     const SolidPhase<2> solid(c.problem, c.controls.solid, c.state.mesh, topology.solid, nodes, Integration::nodal);
     const auto R = momentumResidual<2>(nodalMass<2>(fluid, solid), moved, fluid, solid, traction, 1);
     Vec<2> sum = Vec<2>::Zero();

@@ -42,32 +42,26 @@ TEST(CheckProblem, conditionsFitTheirPatches) {
     EXPECT_EQ(refusedLine("slip", "slip", "traction", 7), 0);
 }
 
-/// A law of another project that gives its stress whole.
-class TotalLaw : public SolidLaw {
-public:
-    bool isTotal() const override { return true; }
-};
-
-TEST(CheckProblem, aTotalLawNeedsTheFormulationVelocity) {
-    TestCase c = makeCase(geometry, water + rubber, "tank { type slip; } lid { type slip; } base { type clamped; }");
-    for (auto& material : c.problem.materials)
-        if (material.kind == MaterialKind::solid) material.solid.law = std::make_shared<TotalLaw>();
-    const auto refused = [&](const std::string& formulation, const std::string& update) {
-        SolidControls controls;
-        controls.formulation = formulation;
-        controls.stressUpdate = update;
-        const auto dict = Dictionary::parse(
-            "solid\n{\nformulation " + formulation + ";\nstressUpdate " + update + ";\n}", "pfemSolution");
+// A node has one mean: solids of laws in rates and hyperelastic ones may touch with elemental integration only.
+TEST(CheckProblem, touchingSolidsOfTwoKindsAreElemental) {
+    const auto refused = [](const std::string& right, const std::string& integration, double gap) {
+        const TestCase c =
+            makeCase("meshSize 0.5; bodies ( left { type solid; material rubber; " + rectangle(0, 0, 1, 1) +
+                         " } right { type solid; material other; " + rectangle(1 + gap, 0, 2 + gap, 1) + " } );",
+                     rubber + "other { type " + right + "; rho 1500; E 2e5; nu 0.3; }", "");
+        IntegrationControls controls;
+        controls.integration = integration;
         try {
-            checkLaws<2>(c.problem, controls, dict);
-        } catch (const UserError& error) {
-            return error.where().line;
+            checkLaws<2>(c.problem, c.state.mesh, controls);
+        } catch (const UserError&) {
+            return true;
         }
-        return 0;
+        return false;
     };
-    EXPECT_EQ(refused("velocity", "neoHookean"), 0);
-    EXPECT_EQ(refused("velocityPressure", "neoHookean"), 3);
-    EXPECT_EQ(refused("velocity", "rotatedMidpoint"), 4);
+    EXPECT_TRUE(refused("neoHookean", "nodal", 0));
+    EXPECT_FALSE(refused("neoHookean", "elemental", 0));
+    EXPECT_FALSE(refused("neoHookean", "nodal", 0.4));
+    EXPECT_FALSE(refused("hypoelastic", "nodal", 0));
 }
 
 TEST(CheckProblem, aRigidWallIsSlipOrNoSlip) {

@@ -83,16 +83,17 @@ class UnitsOfTwo : public testing::TestWithParam<std::string> {};
 TEST_P(UnitsOfTwo, leaveNoBitAsItWasNot) {
     const Units metres, &others = unitsOfTwo;
     TestCase c = columnAndWall(metres, GetParam()), o = columnAndWall(others, GetParam());
-    const auto set = [&](Controls& controls) {
+    const auto set = [&](TestCase& of) {
+        Controls& controls = of.controls;
         if (GetParam() == "slip") return;
         controls.integration.integration = "elemental";
-        controls.solid.stressUpdate = "neoHookean";
+        useUpdate(of.problem, "neoHookean");
         controls.continuity.freeSurfacePressure = "strong";
         controls.continuity.stabilisation = "inertia";
         controls.momentum.theta = 0.1;
     };
-    set(c.controls);
-    set(o.controls);
+    set(c);
+    set(o);
     c.start(1e-3 * metres.time);
     o.start(1e-3 * others.time);
     expectSameState(c.state, o.state, others);

@@ -16,7 +16,7 @@ inline TestCase cantilever(const std::string& cells, const std::string& pattern,
                  "steel { type hypoelastic; rho 1; E 1e4; nu 0.25; }",
                  "base { type clamped; } end { type traction; traction (0 10 0); }", {0, 0});
     c.controls.integration.integration = integration;
-    c.controls.solid.stressUpdate = update;
+    useUpdate(c.problem, update);
     c.controls.solid.damping = damping;
     c.tolerance(1e-6);
     return c;

@@ -11,6 +11,7 @@
 #include "mesher/mesher.hpp"
 #include "mesher/readMeshDict.hpp"
 #include "solver/courantRate.hpp"
+#include "solver/formerEntries.hpp"
 #include "solver/simulation.hpp"
 
 namespace pfem::test {
@@ -43,6 +44,12 @@ inline TestCase makeCase(const std::string& mesh, const std::string& materials, 
     c.problem.conditions =
         readBoundaryConditions<2>(Dictionary::parse(conditions, "boundaryConditions"), c.state.mesh.patches);
     return c;
+}
+
+/// Gives the solids of type hypoelastic the law of an update with the same E and nu: rotatedMidpoint (their own),
+/// paper, neoHookean.
+inline void useUpdate(Problem<2>& problem, const std::string& update) {
+    applyStressUpdate<2>(Dictionary::parse("solid { stressUpdate " + update + "; }", "pfemSolution"), problem);
 }
 
 inline const std::string water = "water { type newtonian; rho 1000; mu 1e-3; kappa 2.1e9; }\n";

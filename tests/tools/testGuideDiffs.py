@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The diffs of doc/developerGuide.md still fit: lines that a diff keeps or removes are in its file, in this order; lines that it adds
-to the example project are in that project. Argument: the project's folder."""
+to the example project are in that project, and those of a diff that begins with a new file (it tells how a part came into the
+library) in its files. Argument: the project's folder."""
 
 import pathlib
 import re
@@ -29,7 +30,15 @@ def missing(lines, text):
 
 failures, found = 0, 0
 for diff in re.findall(r'^```diff\n(.*?)^```', guide, re.S | re.M):
-    if '--- a/' in diff:
+    if '--- /dev/null' in diff:
+        for name, body in re.findall(r'^\+\+\+ b/(\S+)\n(.*?)(?=^--- |\Z)', diff, re.S | re.M):
+            added = [plain(line[1:]) for line in body.splitlines() if line[:1] == '+' and plain(line[1:])]
+            lost = missing(added, (project / name).read_text())
+            found += len(added)
+            if lost:
+                print(f'{name}: the guide shows what is not there: "{lost}"')
+                failures += 1
+    elif '--- a/' in diff:
         for name, body in re.findall(r'^--- a/(\S+)\n(.*?)(?=^--- a/|\Z)', diff, re.S | re.M):
             kept = [plain(line[1:]) for line in body.splitlines() if line[:1] in (' ', '-') and plain(line[1:])]
             heads = [plain(line[2:]) for line in body.splitlines() if line.startswith('@@')]

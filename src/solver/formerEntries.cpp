@@ -1,0 +1,48 @@
+#include "solver/formerEntries.hpp"
+
+#include <fmt/format.h>
+
+#include "material/hypoelastic.hpp"
+#include "material/neoHookean.hpp"
+
+namespace pfem {
+
+namespace {
+
+template <class Law>
+std::shared_ptr<const SolidLaw> withElasticity(const IsotropicElasticity& elastic) {
+    auto law = std::make_shared<Law>();
+    law->elastic = elastic;
+    return law;
+}
+
+}  // namespace
+
+template <int Dim>
+std::string applyStressUpdate(const Dictionary& pfemSolution, Problem<Dim>& problem) {
+    const Dictionary& solid = pfemSolution.subDictOrEmpty("solid");
+    const std::string update = solid.get<std::string>("stressUpdate", "rotatedMidpoint");
+    const bool neoHookean = update == "neoHookean";
+    if (!neoHookean && update != "paper") return "";
+    std::string names;
+    for (auto& material : problem.materials) {
+        if (material.kind != MaterialKind::solid) continue;
+        if (dynamic_cast<const Hypoelastic*>(material.solid.law.get()) == nullptr) continue;
+        const IsotropicElasticity elastic = material.solid.elastic;
+        material.solid.setLaw(neoHookean ? withElasticity<NeoHookean>(elastic)
+                                         : withElasticity<HypoelasticPaper>(elastic));
+        names += (names.empty() ? "" : ", ") + material.name;
+    }
+    const Location at = solid.where("stressUpdate");
+    if (names.empty())
+        return fmt::format("entry 'stressUpdate' in {}:{} has no effect: the laws stand in constant/materials", at.file,
+                           at.line);
+    return fmt::format(
+        "entry 'stressUpdate' in {}:{}: the law now stands in constant/materials. Write 'type {};' there, for {}, and "
+        "leave 'stressUpdate' out",
+        at.file, at.line, neoHookean ? "neoHookean" : "hypoelasticPaper", names);
+}
+
+template std::string applyStressUpdate<2>(const Dictionary&, Problem<2>&);
+
+}  // namespace pfem

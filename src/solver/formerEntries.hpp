@@ -1,0 +1,16 @@
+#pragma once
+// Entries of older cases that stand elsewhere now.
+
+#include <string>
+
+#include "dictionary/dictionary.hpp"
+#include "state/problem.hpp"
+
+namespace pfem {
+
+/// `stressUpdate` in system/pfemSolution, solid: paper and neoHookean give the materials of type hypoelastic the law
+/// hypoelasticPaper or neoHookean. Returns what to write instead, empty when there is nothing to say.
+template <int Dim>
+std::string applyStressUpdate(const Dictionary& pfemSolution, Problem<Dim>& problem);
+
+}  // namespace pfem
