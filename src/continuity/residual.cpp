@@ -2,6 +2,7 @@
 
 #include "base/parallel.hpp"
 #include "continuity/stabilisation.hpp"
+#include "momentum/meniscus.hpp"
 
 namespace pfem {
 
@@ -135,7 +136,10 @@ std::vector<double> continuityResidual(const Step<Dim>& step, const ContinuityCo
         const double viscous = 2 * mu[face.cell] * dn.dot(n);
         const double weight =
             surfaceStabilisation<Dim>(tau[face.cell], mu[face.cell], g.measure, measure) * measure / Dim;
-        for (int node : face.nodes) R[node] += weight * twoOverH * (middle.p[node] - viscous);
+        const auto meniscus =
+            meniscusPressure<Dim>(fluid.rho * step.problem.gravity, topology, middle.x, middle.h, face.nodes);
+        for (int k = 0; k < Dim; ++k)
+            R[face.nodes[k]] += weight * twoOverH * (middle.p[face.nodes[k]] - meniscus[k] - viscous);
     }
     return R;
 }

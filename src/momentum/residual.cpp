@@ -2,6 +2,7 @@
 
 #include "base/parallel.hpp"
 #include "momentum/mass.hpp"
+#include "momentum/meniscus.hpp"
 #include "momentum/wallFriction.hpp"
 
 namespace pfem {
@@ -28,6 +29,7 @@ template <int Dim>
 Points<Dim> externalForce(const Mesh<Dim>& mesh, const Topology<Dim>& topology, const FluidPhase<Dim>& fluid,
                           const Nodes<Dim>& nodes) {
     auto force = tractionForce<Dim>(mesh, fluid.problem.conditions, nodes.x);
+    addMeniscus<Dim>(fluid.problem, mesh.fluid, topology, nodes.x, nodes.h, force);
     addWallFriction<Dim>(fluid.problem, mesh.fluid, topology, nodes, force);
     addSideFriction<Dim>(fluid.problem, mesh.fluid, fluid.patches, nodes.v, force);
     return force;

@@ -9,6 +9,8 @@ namespace pfem {
 
 namespace {
 
+constexpr double releasePlace = 0.25;  // between two places; the contact line has moved on at 0.5
+
 /// Height of the triangle over its face opposite to local node k.
 double height(const Points<2>& x, const Simplex<2>& s, int k) {
     return 2 * simplexMeasure<2>(x, s) / faceArea<2>(x, oppositeFace<2>(s, k)).norm();
@@ -186,15 +188,17 @@ private:
                simplexDivergence<2>(nodes_.x, nodes_.v, s) * nodes_.dt < -0.5;
     }
 
-    /// A wall node that only this triangle carries, and the fluid has come nearer to the other wall node.
+    /// A place on a solid that only this triangle carries, and the fluid has gone back to a quarter of the way to the
+    /// other place: well behind the middle where it has come to it, for the volume of the triangle comes and goes with
+    /// it, and the level with that.
     bool isReleased(int e) const {
         const auto& s = t_.cells[e];
         for (int k = 0; k < 3; ++k) {
             const int f = s[k], a = s[(k + 1) % 3], b = s[(k + 2) % 3];
             if (nodes_.held[f] || !nodes_.held[a] || !nodes_.held[b]) continue;
-            const double da = (nodes_.x[f] - nodes_.x[a]).norm();
-            const double db = (nodes_.x[f] - nodes_.x[b]).norm();
-            return (cells_[a] == 1 && db < da) || (cells_[b] == 1 && da < db);
+            const Vec<2> edge = nodes_.x[b] - nodes_.x[a];
+            const double place = edge.dot(nodes_.x[f] - nodes_.x[a]) / edge.squaredNorm();
+            return (cells_[a] == 1 && place > 1 - releasePlace) || (cells_[b] == 1 && place < releasePlace);
         }
         return false;
     }

@@ -5,6 +5,7 @@
 
 #include "continuity/compression.hpp"
 #include "continuity/residual.hpp"
+#include "momentum/meniscus.hpp"
 #include "remesh/motionAccount.hpp"
 #include "solver/beginStep.hpp"
 #include "solver/fluidEnergy.hpp"
@@ -62,7 +63,9 @@ Motion<Dim> move(const Problem<Dim>& problem, const Problem<Dim>& within, const 
     motion.returned = returnedVolume<Dim>(topology, state, report.dt * volumeReturnRate(controls.continuity, report.dt),
                                           report.dt * divTarget);
     state.energy.book(EnergyCause::volume,
-                      volumeEnergy<Dim>(problem, state.mesh.fluid, state.nodes, result.nodes, motion.returned));
+                      volumeEnergy<Dim>(problem, state.mesh.fluid, state.nodes, result.nodes, motion.returned) +
+                          meniscusWork<Dim>(within, state.mesh.fluid, topology, state.nodes, result.nodes,
+                                            controls.timeIntegration.gamma));
     motion.compressed = compressedVolume<Dim>(problem, state.mesh.fluid, topology.fluid, result.nodes, state.nodes.p);
     motion.xOld = std::move(state.nodes.x);
     state.nodes = std::move(result.nodes);
