@@ -32,7 +32,7 @@ TestCase besideWall(double off) {
 Points<2> residual(const TestCase& c, bool meniscus) {
     const auto topology = c.topology();
     const auto& nodes = c.state.nodes;
-    const FluidPhase<2> fluid(c.problem, c.state.mesh, topology.fluid, nodes.x, nodes.v, Integration::nodal);
+    const FluidPhase<2> fluid(c.problem, c.state.mesh, topology.fluid, nodes, Integration::nodal);
     const SolidPhase<2> solid(c.problem, c.controls.solid, c.state.mesh, topology.solid, nodes, Integration::nodal);
     Points<2> external(nodes.size(), Vec<2>::Zero());
     if (meniscus) addMeniscus<2>(c.problem, c.state.mesh.fluid, topology, nodes.x, nodes.h, external);
