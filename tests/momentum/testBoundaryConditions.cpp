@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "support/cases.hpp"
 
 using namespace pfem;
@@ -81,6 +83,21 @@ TEST(BoundaryConditions, patternsAreForPatchesWithoutAnEntryOfTheirOwn) {
     const auto moved =
         read("base { type clamped; } \"wall.*\" { type slip; motion { velocity (1 0 0); } }").first.motion;
     EXPECT_TRUE(moved[0] && moved[1] && moved[2] && !moved[3]);
+}
+
+// What a type says must fit together: walls hold the fluid's nodes, other patches their own.
+TEST(PatchTypes, tableIsSound) {
+    std::set<std::string> names;
+    for (const auto& type : patchTypes()) {
+        EXPECT_TRUE(names.insert(type.name).second) << type.name;
+        EXPECT_GT(type.meaning.size(), 5u) << type.name;
+        EXPECT_EQ(isWall(type.kind), type.wet != Hold::free) << type.name;
+        EXPECT_EQ(isWall(type.kind), type.contactLine != Hold::free) << type.name;
+        EXPECT_EQ(type.own == Hold::free, isWall(type.kind) || type.loads) << type.name;
+        EXPECT_EQ(type.entries.empty(), type.read == nullptr) << type.name;
+    }
+    EXPECT_EQ(typeList([](const auto& type) { return type.mayMove; }, " and "), "slip, noSlip and clamped");
+    EXPECT_EQ(typeList([](const auto& type) { return isWall(type.kind); }, " or "), "slip or noSlip");
 }
 
 TEST(BoundaryConditions, allPatchesWithoutEntryAreNamedAtOnce) {
