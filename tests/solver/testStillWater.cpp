@@ -178,8 +178,9 @@ TEST(StillWater, restsBesideAnElasticWall) {
         }
         std::cout << "high " << high << ": speed " << fastest << " m/s\n";
         EXPECT_LT(fastest, 1e-3) << high;
-        for (const auto& cause : {"contact", "released", "reshaped", "stretched"})
-            EXPECT_NEAR(c.state.ledger.at(cause), ledger.at(cause), 1e-9 * h * h) << cause << " " << high;
+        for (const auto cause :
+             {VolumeCause::contact, VolumeCause::released, VolumeCause::reshaped, VolumeCause::stretched})
+            EXPECT_NEAR(c.state.ledger[cause], ledger[cause], 1e-9 * h * h) << textOf(cause).name << " " << high;
     }
 }
 
