@@ -67,20 +67,19 @@ protected:
     void step() const {
         const Case theCase(folder_.path());
         TimeControl clock(theCase);
-        State<2> state = readState<2>(clock.startFolder());
-        const auto problem = readProblem<2>(theCase, state);
-        const auto controls = readControls(theCase);
+        State<2> start = readState<2>(clock.startFolder());
+        auto problem = readProblem<2>(theCase, start);
+        Simulation<2> simulation{std::move(problem), readControls(theCase), std::move(start),
+                                 [&](const TimeInfo& time, double dt) { return clock.advance(time, dt); }};
+        const State<2>& state = simulation.state;
         FunctionObjects<2> functions(theCase, clock.dictionary(), clock.startName());
         warnUnused(clock.dictionary(), std::cerr);
-        Recorder<2> recorder(theCase, problem, clock, state);
-        Triangulator triangulator;
-        recorder.start(controls, state, clock.deltaT(state.time));
+        Recorder<2> recorder(theCase, clock, simulation);
+        recorder.start(clock.deltaT(state.time));
         functions.start(state);
-        const auto report = recorder.advance(controls, triangulator, state,
-                                             clock.deltaT(state.time, {.courant = courantRate(state).largest}));
-        state.time = clock.advance(state.time, report.dt);
+        recorder.step(clock.deltaT(state.time, {.courant = courantRate(state).largest}));
         functions.execute(state);
-        recorder.save(state);
+        recorder.save();
         fs::remove_all(clock.folder(state.time));
     }
 

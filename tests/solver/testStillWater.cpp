@@ -149,13 +149,13 @@ TestCase poolsBesideWall(double high, double h) {
 
 /// Syrup and backward Euler bring it near to rest.
 void calm(TestCase& c, int steps) {
-    double* mu = nullptr;
+    std::shared_ptr<const FluidLaw>* law = nullptr;
     for (auto& material : c.problem.materials)
-        if (material.kind == MaterialKind::fluid) mu = &material.fluid.mu;
-    const double own = std::exchange(*mu, 10);
+        if (material.kind == MaterialKind::fluid) law = &material.fluid.law;
+    const auto own = std::exchange(*law, newtonian(10));
     c.controls.timeIntegration.gamma = 1;
     for (int n = 0; n < steps; ++n) c.step(0.02);
-    *mu = own;
+    *law = own;
     c.controls.timeIntegration.gamma = 0.5;
 }
 
