@@ -50,6 +50,14 @@ void addHistory(vtkDataSetAttributes* data, const History& history, int n, const
                                                  [&](int i, int) { return history.at(static_cast<int>(at(i)), k); }));
 }
 
+/// D = x - X, for the eye.
+template <int Dim, class Index>
+void addDisplacement(vtkPointData* data, const Nodes<Dim>& nodes, int n, const Index& at) {
+    data->AddArray(makeArray<vtkDoubleArray>("D", 3, n, [&](int i, int c) {
+        return component<Dim>(nodes.x[at(i)], c) - component<Dim>(nodes.X[at(i)], c);
+    }));
+}
+
 /// Points and point data of the nodes in `set`; the stress only where the file needs it.
 template <int Dim>
 void addNodes(vtkUnstructuredGrid* grid, const State<Dim>& state, const NodeSet& set, bool withStress,
@@ -65,25 +73,26 @@ void addNodes(vtkUnstructuredGrid* grid, const State<Dim>& state, const NodeSet&
     grid->SetPoints(points);
 
     vtkPointData* data = grid->GetPointData();
-    auto vectors = [&](const std::string& name, const Points<Dim>& values) {
-        data->AddArray(
-            makeArray<vtkDoubleArray>(name, 3, n, [&](int i, int c) { return component<Dim>(values[at(i)], c); }));
-    };
     auto scalars = [&](const std::string& name, const std::vector<double>& values) {
         data->AddArray(makeArray<vtkDoubleArray>(name, 1, n, [&](int i, int) { return values[at(i)]; }));
     };
-    data->SetGlobalIds(makeArray<vtkIdTypeArray>("id", 1, n, [&](int i, int) { return all.id[at(i)]; }));
-    vectors("U", all.v);
-    vectors("a", all.a);
-    scalars("p", all.p);
-    data->AddArray(makeArray<vtkDoubleArray>(
-        "D", 3, n, [&](int i, int c) { return component<Dim>(all.x[at(i)], c) - component<Dim>(all.X[at(i)], c); }));
-    vectors("X", all.X);
-    if (withStress) data->AddArray(makeStress<Dim>(all.sigma, n, at));
-    scalars("h", all.h);
-    scalars("dropVolume", all.dropVolume);
-    scalars("lostVolume", all.lostVolume);
-    data->AddArray(makeArray<vtkIntArray>("wall", 1, n, [&](int i, int) { return all.wall[at(i)]; }));
+    Nodes<Dim>::fields([&](const std::string& name, auto field, const auto&, auto) {
+        const auto& values = all.*field;
+        using Value = typename std::decay_t<decltype(values)>::value_type;
+        if constexpr (std::is_same_v<Value, Id>) {
+            data->SetGlobalIds(makeArray<vtkIdTypeArray>(name, 1, n, [&](int i, int) { return values[at(i)]; }));
+        } else if constexpr (std::is_same_v<Value, int>) {
+            data->AddArray(makeArray<vtkIntArray>(name, 1, n, [&](int i, int) { return values[at(i)]; }));
+        } else if constexpr (std::is_same_v<Value, double>) {
+            scalars(name, values);
+        } else if constexpr (std::is_same_v<Value, Stress<Dim>>) {
+            if (withStress) data->AddArray(makeStress<Dim>(values, n, at));
+        } else if (name != "Points") {  // those are the grid's
+            if (name == "X") addDisplacement<Dim>(data, all, n, at);
+            data->AddArray(
+                makeArray<vtkDoubleArray>(name, 3, n, [&](int i, int c) { return component<Dim>(values[at(i)], c); }));
+        }
+    });
     for (const auto& [name, values] : extra.nodal) scalars(name, values);
     for (const auto& [name, values] : extra.nodalFlags)
         data->AddArray(

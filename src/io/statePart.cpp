@@ -36,6 +36,17 @@ std::vector<double> toScalars(vtkDoubleArray* array) {
     return {array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues()};
 }
 
+/// Indices, or -1 for none.
+std::vector<int> toInts(const CheckedArrays& arrays, const std::string& name) {
+    std::vector<int> values;
+    for (const Id value : arrays.integers(name)) {
+        if (value < -1 || value > std::numeric_limits<int>::max())
+            arrays.fail(fmt::format("array '{}' contains {}, which is no face", name, value));
+        values.push_back(static_cast<int>(value));
+    }
+    return values;
+}
+
 template <int Dim>
 std::vector<Stress<Dim>> readStress(const CheckedArrays& arrays) {
     auto* sigma = arrays.doubles("sigma", 6);
@@ -60,29 +71,28 @@ History readHistory(const CheckedArrays& arrays, const std::vector<std::string>&
 template <int Dim>
 Nodes<Dim> readNodes(vtkUnstructuredGrid* grid, const std::filesystem::path& file, bool& hasStress) {
     const CheckedArrays arrays(file, grid->GetPointData(), grid->GetNumberOfPoints());
-    auto points = [&](const std::string& name) { return toPoints<Dim>(arrays.doubles(name, 3), arrays, name); };
     Nodes<Dim> nodes;
-    nodes.id = arrays.integers("id");
     auto* positions = vtkDoubleArray::SafeDownCast(grid->GetPoints()->GetData());
     if (positions == nullptr) arrays.fail("array 'Points' is not of type Float64");
     for (vtkIdType i = 0; i < positions->GetNumberOfValues(); ++i)
         if (!std::isfinite(positions->GetValue(i))) arrays.fail("array 'Points' contains a value that is not finite");
-    nodes.x = toPoints<Dim>(positions, arrays, "Points");
-    nodes.v = points("U");
-    nodes.a = points("a");
-    nodes.p = toScalars(arrays.doubles("p", 1));
-    nodes.X = points("X");
-    nodes.h = toScalars(arrays.doubles("h", 1));
-    nodes.dropVolume = toScalars(arrays.doubles("dropVolume", 1));
-    nodes.lostVolume = toScalars(arrays.doubles("lostVolume", 1));
-    for (const Id face : arrays.integers("wall")) {
-        if (face < -1 || face > std::numeric_limits<int>::max())
-            arrays.fail(fmt::format("array 'wall' contains {}, which is no face", face));
-        nodes.wall.push_back(static_cast<int>(face));
-    }
-    nodes.sigma.assign(nodes.id.size(), Stress<Dim>::Zero());
     hasStress = arrays.found("sigma");
-    if (hasStress) nodes.sigma = readStress<Dim>(arrays);
+    Nodes<Dim>::fields([&](const std::string& name, auto field, const auto& first, auto) {
+        auto& values = nodes.*field;
+        using Value = typename std::decay_t<decltype(values)>::value_type;
+        if constexpr (std::is_same_v<Value, Id>) {
+            values = arrays.integers(name);
+        } else if constexpr (std::is_same_v<Value, int>) {
+            values = toInts(arrays, name);
+        } else if constexpr (std::is_same_v<Value, double>) {
+            values = toScalars(arrays.doubles(name, 1));
+        } else if constexpr (std::is_same_v<Value, Stress<Dim>>) {
+            if (hasStress) values = readStress<Dim>(arrays);
+            values.resize(nodes.id.size(), first);
+        } else {
+            values = toPoints<Dim>(name == "Points" ? positions : arrays.doubles(name, 3), arrays, name);
+        }
+    });
     for (std::size_t i = 0; i < nodes.id.size(); ++i)
         if (nodes.id[i] < 0 || (i > 0 && nodes.id[i] <= nodes.id[i - 1])) arrays.fail("array 'id' does not ascend");
     return nodes;

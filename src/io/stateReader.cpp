@@ -20,16 +20,18 @@ const char* otherBits(const Nodes<Dim>& a, std::size_t i, const Nodes<Dim>& b, s
     auto same = [](const auto& s, const auto& t) {
         return std::memcmp(s.data(), t.data(), sizeof(double) * static_cast<std::size_t>(s.size())) == 0;
     };
-    auto equal = [](double s, double t) { return std::memcmp(&s, &t, sizeof s) == 0; };
-    if (!same(a.x[i], b.x[j])) return "Points";
-    if (!same(a.v[i], b.v[j])) return "U";
-    if (!same(a.a[i], b.a[j])) return "a";
-    if (!same(a.X[i], b.X[j])) return "X";
-    if (!equal(a.p[i], b.p[j])) return "p";
-    if (!equal(a.h[i], b.h[j])) return "h";
-    if (!equal(a.dropVolume[i], b.dropVolume[j])) return "dropVolume";
-    if (!equal(a.lostVolume[i], b.lostVolume[j])) return "lostVolume";
-    return a.wall[i] != b.wall[j] ? "wall" : nullptr;
+    const char* other = nullptr;
+    Nodes<Dim>::fields([&](const char* name, auto field, const auto&, auto) {
+        using Value = typename std::decay_t<decltype(a.*field)>::value_type;
+        const Value &s = (a.*field)[i], &t = (b.*field)[j];
+        if (other != nullptr) return;
+        if constexpr (std::is_arithmetic_v<Value>) {
+            if (std::memcmp(&s, &t, sizeof s) != 0) other = name;
+        } else if constexpr (!std::is_same_v<Value, Stress<Dim>>) {  // solid.vtu alone has the stress
+            if (!same(s, t)) other = name;
+        }
+    });
+    return other;
 }
 
 /// All parts' nodes by ascending id; the first part that has a node gives its values (solid first: it has

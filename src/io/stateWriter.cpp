@@ -31,9 +31,8 @@ template <int Dim>
 void checkSizes(const State<Dim>& state, const ExtraFields& extra) {
     const Nodes<Dim>& nodes = state.nodes;
     const std::size_t n = nodes.id.size();
-    bool ok = nodes.x.size() == n && nodes.v.size() == n && nodes.a.size() == n && nodes.p.size() == n &&
-              nodes.sigma.size() == n && nodes.X.size() == n && nodes.h.size() == n && nodes.dropVolume.size() == n &&
-              nodes.lostVolume.size() == n && nodes.wall.size() == n;
+    bool ok = true;
+    Nodes<Dim>::fields([&](const char*, auto field, const auto&, auto) { ok = ok && (nodes.*field).size() == n; });
     for (std::size_t i = 1; i < n && ok; ++i) ok = nodes.id[i - 1] < nodes.id[i];
     if (!ok) throw InternalError("writeState: nodal arrays differ in length or ids do not ascend");
     if (n > 0 && nodes.id.back() >= state.nextId) throw InternalError("writeState: nextId is not above all ids");

@@ -23,17 +23,9 @@ namespace {
 template <int Dim>
 void insertNode(const Nodes<Dim>& old, int i, int j, int wall, State<Dim>& state) {
     Nodes<Dim>& nodes = state.nodes;
-    nodes.append(old, i);
+    nodes.appendBetween(old, i, j);
     nodes.id.back() = state.nextId++;
-    nodes.x.back() = 0.5 * (old.x[i] + old.x[j]);
-    nodes.v.back() = 0.5 * (old.v[i] + old.v[j]);
-    nodes.a.back() = 0.5 * (old.a[i] + old.a[j]);
-    nodes.p.back() = 0.5 * (old.p[i] + old.p[j]);
-    nodes.sigma.back().setZero();
-    for (int k = 0; k < nodes.history.width(); ++k) nodes.history.at(nodes.size() - 1, k) = 0;
     nodes.X.back() = nodes.x.back();
-    nodes.h.back() = 0.5 * (old.h[i] + old.h[j]);
-    nodes.dropVolume.back() = nodes.lostVolume.back() = 0;
     nodes.wall.back() = wall;
 }
 

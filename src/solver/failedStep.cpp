@@ -58,12 +58,9 @@ State<Dim> withNodesOf(State<Dim> last, const Nodes<Dim>& nodes) {
     for (int i = 0, j = 0; i < last.nodes.size(); ++i) {  // both sorted by id
         while (j < nodes.size() && nodes.id[j] < last.nodes.id[i]) ++j;
         if (j == nodes.size() || nodes.id[j] != last.nodes.id[i]) continue;
-        last.nodes.x[i] = nodes.x[j];
-        last.nodes.v[i] = nodes.v[j];
-        last.nodes.a[i] = nodes.a[j];
-        last.nodes.p[i] = nodes.p[j];
-        last.nodes.sigma[i] = nodes.sigma[j];
-        last.nodes.wall[i] = nodes.wall[j];
+        Nodes<Dim>::fields([&, to = i, from = j](const char*, auto field, const auto&, auto) {
+            (last.nodes.*field)[to] = (nodes.*field)[from];
+        });
     }
     return last;
 }
