@@ -1,11 +1,11 @@
-// Time folders -> one PNG: fluid and solids coloured by a field, several times side by side.
+// Time folders -> one picture: fluid and solids coloured by a field, several times side by side.
 
 #include <fmt/format.h>
 
 #include "application/optionValues.hpp"
 #include "application/runApplication.hpp"
 #include "application/timeRanges.hpp"
-#include "io/pngFile.hpp"
+#include "base/atomicFile.hpp"
 #include "io/stateFiles.hpp"
 #include "picture/colourMap.hpp"
 #include "picture/sheet.hpp"
@@ -24,7 +24,17 @@ OptionsSpec snapshotOptions() {
     spec.add("columns", "n", "Pictures side by side (default 3)");
     spec.add("width", "pixels", "Width of the whole picture (default 1600)");
     spec.add("mesh", "", "Draw the edges of the triangles");
-    return spec.add("o", "file", "The PNG file (default snapshots.png in the case)");
+    spec.add("format", "word",
+             fmt::format("{} (default: as the file's name ends, or png)", fmt::join(pictureFormats(), ", ")));
+    return spec.add("o", "file", "The picture (default snapshots.<format> in the case)");
+}
+
+PictureFormat formatOf(const Options& options) {
+    if (options.found("format")) return pictureFormat(options.get("format"));
+    const std::string ending = options.found("o") ? std::filesystem::path(options.get("o")).extension().string() : "";
+    for (const auto& word : pictureFormats())
+        if (ending == "." + word) return pictureFormat(word);
+    return PictureFormat::png;
 }
 
 SheetOptions sheetOptions(const Options& options) {
@@ -34,6 +44,7 @@ SheetOptions sheetOptions(const Options& options) {
     sheet.columns = wholeNumber(options, "columns", sheet.columns, 1, 100);
     sheet.width = wholeNumber(options, "width", sheet.width, 100, 20000);
     sheet.mesh = options.found("mesh");
+    sheet.format = formatOf(options);
     if (options.found("range")) {
         const auto ends = optionValue<std::vector<double>>(options, "range", "'(low high)'");
         if (ends.size() != 2 || !(ends[0] < ends[1]))
@@ -54,18 +65,19 @@ SheetOptions sheetOptions(const Options& options) {
 
 int main(int argc, char* argv[]) {
     return runApplication(
-        argc, argv, "Draw time folders as a PNG picture, without ParaView or a display.", snapshotOptions(),
+        argc, argv, "Draw time folders as a picture (PNG, SVG, PDF), without ParaView or a display.", snapshotOptions(),
         [](const Options& options) {
             const Case theCase = options.openCase();
             const SheetOptions sheet = sheetOptions(options);
             std::vector<State<2>> states;
             for (const auto& time : selectTimes(theCase, options))
                 states.push_back(readState<2>(theCase.time(time.name)));
-            const Image image = drawSheet(states, sheet);
-            const auto file =
-                options.found("o") ? std::filesystem::path(options.get("o")) : theCase.root() / "snapshots.png";
-            writePng(file, image);
-            fmt::print("{} times, {} x {} pixels: {}\n", states.size(), image.width, image.height, file.string());
+            Canvas canvas = drawSheet(states, sheet);
+            const auto file = options.found("o")
+                                  ? std::filesystem::path(options.get("o"))
+                                  : theCase.root() / ("snapshots." + pictureFormats()[static_cast<int>(sheet.format)]);
+            writeAtomically(file, canvas.file());
+            fmt::print("{} times, {} x {} pixels: {}\n", states.size(), canvas.width(), canvas.height(), file.string());
             return 0;
         });
 }

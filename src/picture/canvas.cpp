@@ -1,81 +1,226 @@
 #include "picture/canvas.hpp"
 
+#include <cairo-pdf.h>
+#include <cairo-svg.h>
+#include <cairo.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.hpp"
+
 namespace pfem {
 
-Canvas::Canvas(int width, int height, Colour background) : fine_(factor_ * width, factor_ * height, background) {
-    noClip();
+namespace {
+
+cairo_status_t append(void* text, const unsigned char* bytes, unsigned int n) {
+    static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes), n);
+    return CAIRO_STATUS_SUCCESS;
 }
 
-void Canvas::clip(const Box& box) { clip_ = box; }
-void Canvas::noClip() { clip_ = {0, 0, double(fine_.width) / factor_, double(fine_.height) / factor_}; }
+void check(cairo_status_t status) {
+    if (status != CAIRO_STATUS_SUCCESS)
+        throw UserError(std::string("cannot draw the picture: ") + cairo_status_to_string(status));
+}
 
-/// The samples whose centres lie in the box and in the clip.
-Canvas::Samples Canvas::samplesIn(const Box& box) const {
-    auto index = [](double pixel, int limit) {
-        return static_cast<int>(std::clamp(std::ceil(pixel * factor_ - 0.5), 0.0, static_cast<double>(limit)));
-    };
-    return {index(std::max(box.left, clip_.left), fine_.width), index(std::min(box.right, clip_.right), fine_.width),
-            index(std::max(box.top, clip_.top), fine_.height), index(std::min(box.bottom, clip_.bottom), fine_.height)};
+struct Destroy {
+    void operator()(cairo_t* c) const { cairo_destroy(c); }
+    void operator()(cairo_surface_t* s) const { cairo_surface_destroy(s); }
+};
+
+}  // namespace
+
+const std::vector<std::string>& pictureFormats() {
+    static const std::vector<std::string> words{"png", "svg", "pdf"};
+    return words;
+}
+
+PictureFormat pictureFormat(const std::string& word) {
+    const auto& words = pictureFormats();
+    const auto found = std::find(words.begin(), words.end(), word);
+    if (found == words.end()) throw UserError(notValid(word, "format of pictures", words));
+    return static_cast<PictureFormat>(found - words.begin());
+}
+
+/// Pixels are drawn several times as fine and averaged: areas that meet leave no gap, as they would with smoothed edges
+/// each. The paths of SVG and PDF are smoothed by whoever shows them; there, areas get an outline of their own colour.
+struct Canvas::Cairo {
+    std::string bytes;  // of SVG and PDF; the surface writes them and goes first
+    PictureFormat format;
+    int factor = 1;  // samples per pixel and direction
+    std::unique_ptr<cairo_surface_t, Destroy> surface;
+    std::unique_ptr<cairo_t, Destroy> context;
+
+    Cairo(int width, int height, PictureFormat form) : format(form) {
+        constexpr double points = 0.75;  // per pixel, in PDF
+        if (format == PictureFormat::png) {
+            factor = std::clamp(largest / std::max({width, height, 1}), 1, 3);
+            surface.reset(cairo_image_surface_create(CAIRO_FORMAT_RGB24, factor * width, factor * height));
+        } else if (format == PictureFormat::svg) {
+            surface.reset(cairo_svg_surface_create_for_stream(append, &bytes, width, height));
+            cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PX);
+        } else {
+            surface.reset(cairo_pdf_surface_create_for_stream(append, &bytes, points * width, points * height));
+        }
+        check(cairo_surface_status(surface.get()));
+        context.reset(cairo_create(surface.get()));
+        cairo_t* const c = context.get();
+        const double scale = format == PictureFormat::pdf ? points : factor;
+        cairo_scale(c, scale, scale);
+        cairo_set_source_rgb(c, 1, 1, 1);
+        cairo_paint(c);
+        cairo_set_line_cap(c, CAIRO_LINE_CAP_ROUND);
+        cairo_set_line_join(c, CAIRO_LINE_JOIN_ROUND);
+        cairo_select_font_face(c, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+        cairo_font_options_t* const options = cairo_font_options_create();  // letters do not keep to pixels
+        cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
+        cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+        cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
+        cairo_set_font_options(c, options);
+        cairo_font_options_destroy(options);
+    }
+
+    void colour(Colour rgb) const {
+        cairo_set_source_rgb(context.get(), rgb[0] / 255.0, rgb[1] / 255.0, rgb[2] / 255.0);
+    }
+
+    /// Choose the font's size such that capitals have this height.
+    void capitals(double size) const {
+        cairo_text_extents_t extents;
+        cairo_set_font_size(context.get(), 100);
+        cairo_text_extents(context.get(), "H", &extents);
+        cairo_set_font_size(context.get(), extents.height > 0 ? 100 * size / extents.height : size / 0.73);
+    }
+
+    double advance(const std::string& words) const {
+        cairo_text_extents_t extents;
+        cairo_text_extents(context.get(), words.c_str(), &extents);
+        return extents.x_advance;
+    }
+};
+
+Canvas::Canvas(int width, int height, PictureFormat format)
+    : width_(width), height_(height), cairo_(std::make_unique<Cairo>(width, height, format)) {}
+Canvas::~Canvas() = default;
+Canvas::Canvas(Canvas&&) noexcept = default;
+Canvas& Canvas::operator=(Canvas&&) noexcept = default;
+
+void Canvas::clip(const Box& box) {
+    noClip();
+    cairo_t* const c = cairo_->context.get();
+    cairo_rectangle(c, box.left, box.top, box.width(), box.height());
+    cairo_clip(c);
+}
+
+void Canvas::noClip() { cairo_reset_clip(cairo_->context.get()); }
+
+void Canvas::fill(const std::vector<Polygon>& polygons, Colour colour) {
+    cairo_t* const c = cairo_->context.get();
+    cairo_->colour(colour);
+    for (const Polygon& polygon : polygons) {
+        for (const Vec<2>& x : polygon) cairo_line_to(c, x[0], x[1]);
+        cairo_close_path(c);
+    }
+    if (cairo_->format == PictureFormat::png) {
+        cairo_set_antialias(c, CAIRO_ANTIALIAS_NONE);
+        cairo_fill(c);
+        cairo_set_antialias(c, CAIRO_ANTIALIAS_DEFAULT);
+    } else {
+        cairo_fill_preserve(c);
+        cairo_set_line_width(c, 0.3);
+        cairo_stroke(c);
+    }
 }
 
 void Canvas::rectangle(const Box& box, Colour colour) {
-    const Samples s = samplesIn(box);
-    for (int y = s.y0; y < s.y1; ++y)
-        for (int x = s.x0; x < s.x1; ++x) fine_.at(x, y) = colour;
+    fill({{{box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}, {box.left, box.bottom}}}, colour);
 }
 
-void Canvas::triangle(const std::array<Vec<2>, 3>& p, const std::array<double, 3>& values,
-                      const std::function<Colour(double)>& colourOf) {
-    const auto cross = [](const Vec<2>& u, const Vec<2>& v) { return u[0] * v[1] - u[1] * v[0]; };
-    const double area = cross(p[1] - p[0], p[2] - p[0]);
-    if (area == 0 || !std::isfinite(area)) return;
-    const auto [left, right] = std::minmax({p[0][0], p[1][0], p[2][0]});
-    const auto [top, bottom] = std::minmax({p[0][1], p[1][1], p[2][1]});
-    const Samples s = samplesIn({left, top, right, bottom});
-    for (int y = s.y0; y < s.y1; ++y)
-        for (int x = s.x0; x < s.x1; ++x) {
-            const Vec<2> at((x + 0.5) / factor_, (y + 0.5) / factor_);
-            const double b = cross(at - p[0], p[2] - p[0]) / area, c = cross(p[1] - p[0], at - p[0]) / area;
-            constexpr double seam = 1e-9;  // neighbours leave no gap
-            if (b < -seam || c < -seam || b + c > 1 + seam) continue;
-            fine_.at(x, y) = colourOf((1 - b - c) * values[0] + b * values[1] + c * values[2]);
-        }
+void Canvas::triangles(const std::vector<std::array<Vec<2>, 3>>& corners, Colour colour) {
+    std::vector<Polygon> polygons;
+    for (const auto& [a, b, c] : corners)
+        if ((a + b + c).allFinite()) polygons.push_back({a, b, c});
+    if (!polygons.empty()) fill(polygons, colour);
 }
 
-void Canvas::triangle(const std::array<Vec<2>, 3>& corners, Colour colour) {
-    triangle(corners, {0, 0, 0}, [&](double) { return colour; });
+void Canvas::triangles(const std::vector<ShadedTriangle>& triangles, const std::function<Colour(double)>& colourOf) {
+    std::vector<std::array<Vec<2>, 3>> without;  // a value
+    for (const auto& [corners, f] : triangles)
+        if (!std::isfinite(f[0] + f[1] + f[2])) without.push_back(corners);
+    this->triangles(without, colourOf(std::nan("")));
+    const auto bands = bandsOf(triangles);
+    for (int band = 0; band < nBands; ++band)
+        if (!bands[band].empty()) fill(bands[band], colourOf(bandFraction(band)));
 }
 
 void Canvas::line(const Vec<2>& a, const Vec<2>& b, double thickness, Colour colour) {
-    const double r = thickness / 2;
-    const Samples s = samplesIn(
-        {std::min(a[0], b[0]) - r, std::min(a[1], b[1]) - r, std::max(a[0], b[0]) + r, std::max(a[1], b[1]) + r});
-    const Vec<2> along = b - a;
-    const double length2 = along.squaredNorm();
-    for (int y = s.y0; y < s.y1; ++y)
-        for (int x = s.x0; x < s.x1; ++x) {
-            const Vec<2> at((x + 0.5) / factor_, (y + 0.5) / factor_);
-            const double t = length2 > 0 ? std::clamp((at - a).dot(along) / length2, 0.0, 1.0) : 0;
-            if ((at - a - t * along).squaredNorm() <= r * r) fine_.at(x, y) = colour;
-        }
+    cairo_t* const c = cairo_->context.get();
+    cairo_->colour(colour);
+    cairo_set_line_width(c, thickness);
+    cairo_move_to(c, a[0], a[1]);
+    cairo_line_to(c, b[0], b[1]);
+    cairo_stroke(c);
+}
+
+double Canvas::textWidth(const std::string& words, double size) const {
+    cairo_->capitals(size);
+    return cairo_->advance(words);
+}
+
+void Canvas::text(const std::string& words, const Vec<2>& at, double size, Align align) {
+    const double shift = align == Align::left ? 0 : align == Align::centre ? 0.5 : 1;
+    cairo_t* const c = cairo_->context.get();
+    cairo_->colour(black);
+    cairo_move_to(c, at[0] - shift * textWidth(words, size), at[1]);
+    cairo_show_text(c, words.c_str());
+    cairo_new_path(c);
 }
 
 Image Canvas::image() const {
-    Image image(fine_.width / factor_, fine_.height / factor_);
-    constexpr int n = factor_ * factor_;
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x) {
-            std::array<int, 3> sum{};
+    if (cairo_->format != PictureFormat::png) throw InternalError("only a PNG has pixels");
+    cairo_surface_t* const surface = cairo_->surface.get();
+    cairo_surface_flush(surface);
+    const unsigned char* const data = cairo_image_surface_get_data(surface);
+    const int stride = cairo_image_surface_get_stride(surface), factor = cairo_->factor, n = factor * factor;
+    Image image(width_, height_);
+    for (int y = 0; y < height_; ++y)
+        for (int x = 0; x < width_; ++x) {
+            std::array<unsigned, 3> sum{};
             for (int k = 0; k < n; ++k) {
-                const Colour& sample = fine_.at(factor_ * x + k % factor_, factor_ * y + k / factor_);
-                for (std::size_t c = 0; c < 3; ++c) sum[c] += sample[c];
+                const unsigned char* const row = data + static_cast<std::ptrdiff_t>(factor * y + k / factor) * stride;
+                const std::uint32_t sample = reinterpret_cast<const std::uint32_t*>(row)[factor * x + k % factor];
+                for (int channel = 0; channel < 3; ++channel) sum[channel] += (sample >> (16 - 8 * channel)) & 0xff;
             }
-            for (std::size_t c = 0; c < 3; ++c) image.at(x, y)[c] = static_cast<std::uint8_t>((sum[c] + n / 2) / n);
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                image.at(x, y)[channel] = static_cast<std::uint8_t>((sum[channel] + n / 2) / n);
         }
     return image;
+}
+
+std::string Canvas::file() {
+    if (cairo_->format == PictureFormat::png) return pngOf(image());
+    check(cairo_status(cairo_->context.get()));
+    cairo_surface_finish(cairo_->surface.get());
+    check(cairo_surface_status(cairo_->surface.get()));
+    return std::move(cairo_->bytes);
+}
+
+std::string pngOf(const Image& image) {
+    const std::unique_ptr<cairo_surface_t, Destroy> surface(
+        cairo_image_surface_create(CAIRO_FORMAT_RGB24, image.width, image.height));
+    check(cairo_surface_status(surface.get()));
+    unsigned char* const data = cairo_image_surface_get_data(surface.get());
+    const int stride = cairo_image_surface_get_stride(surface.get());
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const Colour& c = image.at(x, y);
+            reinterpret_cast<std::uint32_t*>(data + static_cast<std::ptrdiff_t>(y) * stride)[x] =
+                static_cast<std::uint32_t>(c[0]) << 16 | static_cast<std::uint32_t>(c[1]) << 8 | c[2];
+        }
+    cairo_surface_mark_dirty(surface.get());
+    std::string bytes;
+    check(cairo_surface_write_to_png_stream(surface.get(), append, &bytes));
+    return bytes;
 }
 
 }  // namespace pfem

@@ -1,11 +1,14 @@
 #pragma once
-// A small rasteriser: triangles, thick lines and discs, smoothed by drawing each pixel several times.
+// What pictures are drawn on, by Cairo: pixels, or the paths of an SVG or PDF file.
 
 #include <array>
 #include <functional>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "base/types.hpp"
+#include "picture/bands.hpp"
 #include "picture/image.hpp"
 
 namespace pfem {
@@ -18,38 +21,65 @@ struct Box {
     double height() const { return bottom - top; }
 };
 
+enum class PictureFormat { png, svg, pdf };
+
+/// Their words, in the order of the values.
+const std::vector<std::string>& pictureFormats();
+
+/// Throws UserError with the valid list.
+PictureFormat pictureFormat(const std::string& word);
+
+enum class Align { left, centre, right };
+
 /// Coordinates are pixels of the finished picture, y downwards; parts of pixels are meaningful.
 class Canvas {
 public:
-    Canvas(int width, int height, Colour background = white);
+    static constexpr int largest = 32767;  // width and height: Cairo's limit
+
+    /// White. Throws UserError when there is no memory for it.
+    Canvas(int width, int height, PictureFormat format = PictureFormat::png);
+    ~Canvas();
+    Canvas(Canvas&&) noexcept;
+    Canvas& operator=(Canvas&&) noexcept;
+
+    int width() const { return width_; }
+    int height() const { return height_; }
 
     /// Nothing is drawn outside of `box` until the next call.
     void clip(const Box& box);
     void noClip();
 
     void rectangle(const Box& box, Colour colour);
+    void triangles(const std::vector<std::array<Vec<2>, 3>>& corners, Colour colour);
 
-    /// The corners have values; each point gets the colour of its linearly interpolated value.
-    void triangle(const std::array<Vec<2>, 3>& corners, const std::array<double, 3>& values,
-                  const std::function<Colour(double)>& colourOf);
-    void triangle(const std::array<Vec<2>, 3>& corners, Colour colour);
+    /// Each point gets the colour of its linearly interpolated value, to a 256th of the scale.
+    void triangles(const std::vector<ShadedTriangle>& triangles, const std::function<Colour(double)>& colourOf);
 
     /// With round ends; a line of no length is a dot.
     void line(const Vec<2>& a, const Vec<2>& b, double thickness, Colour colour);
     void disc(const Vec<2>& centre, double radius, Colour colour) { line(centre, centre, 2 * radius, colour); }
 
-    /// The mean over each pixel's samples.
+    /// `at`: the baseline's left end, middle or right end; `size`: height of a capital letter [pixels].
+    void text(const std::string& words, const Vec<2>& at, double size, Align align = Align::left);
+
+    /// [pixels]
+    double textWidth(const std::string& words, double size) const;
+
+    /// The pixels of a PNG.
     Image image() const;
 
-private:
-    struct Samples {
-        int x0, x1, y0, y1;  // half-open
-    };
-    Samples samplesIn(const Box& box) const;
+    /// The bytes of the finished file; nothing can be drawn afterwards.
+    std::string file();
 
-    static constexpr int factor_ = 3;  // samples per pixel and direction
-    Image fine_;
-    Box clip_;
+private:
+    struct Cairo;
+    void fill(const std::vector<Polygon>& polygons, Colour colour);
+
+    int width_, height_;
+    std::unique_ptr<Cairo> cairo_;
 };
+
+/// The bytes of a PNG file.
+std::string pngOf(const Image& image);
 
 }  // namespace pfem

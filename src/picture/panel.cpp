@@ -36,18 +36,22 @@ public:
 
     void cells(const Cells<2>& cells, Region region, Colour plain) {
         const bool coloured = has(style_.field->region, region);
+        std::vector<ShadedTriangle> shaded;
+        std::vector<std::array<Vec<2>, 3>> flat;
         for (const auto& cell : cells.nodes) {
             const std::array<Vec<2>, 3> corners{place(cell[0]), place(cell[1]), place(cell[2])};
             if (coloured)
-                canvas_.triangle(corners, {value(cell[0]), value(cell[1]), value(cell[2])}, style_.colourOf);
+                shaded.push_back({corners, {fraction(cell[0]), fraction(cell[1]), fraction(cell[2])}});
             else
-                canvas_.triangle(corners, plain);
+                flat.push_back(corners);
         }
+        canvas_.triangles(shaded, style_.colourOf);
+        canvas_.triangles(flat, plain);
         if (!style_.mesh) return;
         for (const auto& cell : cells.nodes)
             for (std::size_t i = 0; i < 3; ++i) {
                 const int a = cell[i], b = cell[(i + 1) % 3];
-                const Colour fill = coloured ? style_.colourOf(0.5 * (value(a) + value(b))) : plain;
+                const Colour fill = coloured ? style_.colourOf(0.5 * (fraction(a) + fraction(b))) : plain;
                 canvas_.line(place(a), place(b), 0.4 * style_.pen, meshColourOn(fill));
             }
     }
@@ -69,7 +73,7 @@ public:
             if (volume <= 0) continue;
             const double radius = std::max(0.9 * style_.pen, scale_ * std::sqrt(volume / 3.141592653589793));
             canvas_.disc(place(i), radius,
-                         has(style_.field->region, Region::fluid) ? style_.colourOf(value(i)) : plainFluid);
+                         has(style_.field->region, Region::fluid) ? style_.colourOf(fraction(i)) : plainFluid);
         }
     }
 
@@ -78,7 +82,9 @@ private:
         const Vec<2> metres = state_.nodes.x[node] - low_;
         return {box_.left + scale_ * metres[0], box_.bottom - scale_ * metres[1]};
     }
-    double value(int node) const { return style_.field->value(state_.nodes, node); }
+    double fraction(int node) const {
+        return (style_.field->value(state_.nodes, node) - style_.range.low) / (style_.range.high - style_.range.low);
+    }
 
     Canvas& canvas_;
     Box box_;

@@ -16,9 +16,14 @@ struct Window {
     Vec<2> size() const { return high - low; }
 };
 
+struct ValueRange {
+    double low, high;
+};
+
 struct PanelStyle {
     const PictureField* field = nullptr;
-    std::function<Colour(double)> colourOf;  // of the field's value
+    ValueRange range{0, 1};                  // of the field, from one end of the colours to the other
+    std::function<Colour(double)> colourOf;  // of a fraction of the range
     bool mesh = false;                       // draw the triangles' edges
     double pen = 1;                          // thickness of a thin line [pixels]
 };
@@ -32,9 +37,6 @@ Window windowOf(const State<2>& state);
 
 /// Least and largest value of the field at the nodes of the triangles where it has a meaning.
 /// Empty (low > high) when there are none.
-struct ValueRange {
-    double low, high;
-};
 ValueRange rangeOf(const State<2>& state, const PictureField& field);
 
 }  // namespace pfem

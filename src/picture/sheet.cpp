@@ -7,7 +7,6 @@
 
 #include "base/error.hpp"
 #include "picture/colourMap.hpp"
-#include "picture/strokeFont.hpp"
 #include "picture/ticks.hpp"
 
 namespace pfem {
@@ -54,7 +53,7 @@ struct Layout {
         const double total = rows * (label + panelHeight) + gap + bar;
         if (!(panelWidth >= 20))
             throw UserError(fmt::format("{} columns do not fit into a width of {}", columns, width));
-        if (!(panelHeight >= 1 && total * width <= 2e8))
+        if (!(panelHeight >= 1 && total <= Canvas::largest && total * width <= 2e8))
             throw UserError(
                 fmt::format("the picture would be {} x {:.0f} pixels: choose another box or width", width, total));
         height = static_cast<int>(std::ceil(total));
@@ -70,24 +69,24 @@ struct Layout {
 void drawColourBar(Canvas& canvas, const Layout& layout, const ValueRange& range, const PictureField& field,
                    const ColourMap& colours) {
     const double length = std::min(0.6 * layout.width, 46 * layout.text), thick = 1.3 * layout.text;
-    const double titleWidth = textWidth(field.title, layout.text);
+    const double titleWidth = canvas.textWidth(field.title, layout.text);
     const double left = std::max(layout.gap + titleWidth + layout.text, (layout.width - length) / 2);
     const double top = layout.height - layout.bar + 0.6 * layout.text;
     const double right = std::min(left + length, layout.width - 4 * layout.text);
     for (double x = left; x < right; ++x)
         canvas.rectangle({x, top, std::min(x + 1, right), top + thick}, colours((x + 0.5 - left) / (right - left)));
-    drawText(canvas, field.title, {left - layout.text, top + 0.5 * (thick + layout.text)}, layout.text, Align::right);
+    canvas.text(field.title, {left - layout.text, top + 0.5 * (thick + layout.text)}, layout.text, Align::right);
     for (const double tick : roundTicks(range.low, range.high, 6)) {
         const double x = left + (tick - range.low) / (range.high - range.low) * (right - left);
         canvas.line({x, top + thick}, {x, top + thick + 0.4 * layout.text}, 1, black);
-        drawText(canvas, tickLabel(tick, range.high - range.low), {x, top + thick + 1.9 * layout.text}, layout.text,
-                 Align::centre);
+        canvas.text(tickLabel(tick, range.high - range.low), {x, top + thick + 1.9 * layout.text}, layout.text,
+                    Align::centre);
     }
 }
 
 }  // namespace
 
-Image drawSheet(const std::vector<State<2>>& states, const SheetOptions& options) {
+Canvas drawSheet(const std::vector<State<2>>& states, const SheetOptions& options) {
     if (states.empty()) throw UserError("no states to draw");
     const PictureField& field = pictureField(options.field);
     const ColourMap colours(options.colours);
@@ -95,20 +94,21 @@ Image drawSheet(const std::vector<State<2>>& states, const SheetOptions& options
     const Window window = options.window ? *options.window : commonWindow(states);
     const Layout layout(static_cast<int>(states.size()), window.size(), options);
 
-    Canvas canvas(layout.width, layout.height);
+    Canvas canvas(layout.width, layout.height, options.format);
     PanelStyle style;
     style.field = &field;
-    style.colourOf = [&](double value) { return colours((value - range.low) / (range.high - range.low)); };
+    style.range = range;
+    style.colourOf = [&](double fraction) { return colours(fraction); };
     style.mesh = options.mesh;
     style.pen = std::max(0.7, layout.panelWidth / 500);
     for (std::size_t k = 0; k < states.size(); ++k) {
         const Box box = layout.panel(static_cast<int>(k));
         drawPanel(canvas, box, window, states[k], style);
-        drawText(canvas, fmt::format("t = {:.6g} s", states[k].time.value), {box.left, box.top - 0.6 * layout.text},
-                 layout.text);
+        canvas.text(fmt::format("t = {:.6g} s", states[k].time.value), {box.left, box.top - 0.6 * layout.text},
+                    layout.text);
     }
     drawColourBar(canvas, layout, range, field, colours);
-    return canvas.image();
+    return canvas;
 }
 
 }  // namespace pfem

@@ -17,9 +17,10 @@ struct SheetOptions {
     int columns = 3;
     int width = 1600;  // [pixels]
     bool mesh = false;
+    PictureFormat format = PictureFormat::png;
 };
 
 /// The panels in reading order. Throws UserError when there is nothing to draw or the options make no sense.
-Image drawSheet(const std::vector<State<2>>& states, const SheetOptions& options);
+Canvas drawSheet(const std::vector<State<2>>& states, const SheetOptions& options);
 
 }  // namespace pfem
