@@ -1,9 +1,10 @@
 #pragma once
-// Which cell holds a point: uniform bins over the cells' boxes.
+// Which cell holds a point.
 
+#include <optional>
 #include <vector>
 
-#include "base/types.hpp"
+#include "mesh/bins.hpp"
 
 namespace pfem {
 
@@ -19,15 +20,9 @@ public:
     bool contains(const Vec<Dim>& point) const { return find(point) >= 0; }
 
 private:
-    int bin(const Vec<Dim>& point, int axis) const;
-
     const Points<Dim>& x_;
     const std::vector<Simplex<Dim>>& cells_;
-    Vec<Dim> low_ = Vec<Dim>::Zero();
-    double width_ = 1;
-    std::array<int, Dim> count_{};
-    std::vector<int> start_;
-    std::vector<int> entry_;
+    std::optional<Bins<Dim>> bins_;  // of the cells' boxes
 };
 
 }  // namespace pfem

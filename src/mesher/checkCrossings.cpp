@@ -1,6 +1,6 @@
 #include <optional>
 
-#include "mesher/binGrid.hpp"
+#include "mesh/bins.hpp"
 #include "mesher/checks.hpp"
 #include "mesher/chords.hpp"
 #include "mesher/crossing.hpp"
@@ -16,16 +16,18 @@ struct Crossing {
 };
 
 std::optional<Crossing> findCrossing(const Chords& chords, const Points<2>& x) {
-    BinGrid bins(chords.longest);
+    Bins<2> bins(x, chords.longest);
     std::optional<Crossing> found;
     for (int k = 0; k < static_cast<int>(chords.all.size()) && !found; ++k) {
         const Chord& c = chords.all[k];
-        bins.forEach(x[c.a].cwiseMin(x[c.b]), x[c.a].cwiseMax(x[c.b]), [&](int other) {
+        const Vec<2> low = x[c.a].cwiseMin(x[c.b]), high = x[c.a].cwiseMax(x[c.b]);
+        bins.any(low, high, [&](int other) {
             const Chord& d = chords.all[other];
-            if (found || d.touches(c.a) || d.touches(c.b)) return;
+            if (d.touches(c.a) || d.touches(c.b)) return false;
             if (const auto at = crossingOf(x[c.a], x[c.b], x[d.a], x[d.b])) found = Crossing{d.piece, c.piece, *at};
+            return found.has_value();
         });
-        bins.addSegment(k, x[c.a], x[c.b]);
+        bins.add(k, low, high);
     }
     return found;
 }

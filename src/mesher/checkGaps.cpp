@@ -1,6 +1,7 @@
-#include "mesher/binGrid.hpp"
+#include "mesh/bins.hpp"
 #include "mesher/checks.hpp"
 #include "mesher/chords.hpp"
+#include "mesher/segmentDistance.hpp"
 
 namespace pfem {
 
@@ -44,9 +45,9 @@ void checkGaps(const MeshDescription& mesh, const Arrangement& arrangement, cons
     const auto& x = boundary.x;
     double widest = chords.longest;
     for (const double size : boundary.h) widest = std::max(widest, leastGap * size);
-    BinGrid bins(widest);
+    Bins<2> bins(x, widest);
     for (int k = 0; k < static_cast<int>(chords.all.size()); ++k)
-        bins.addSegment(k, x[chords.all[k].a], x[chords.all[k].b]);
+        bins.add(k, x[chords.all[k].a].cwiseMin(x[chords.all[k].b]), x[chords.all[k].a].cwiseMax(x[chords.all[k].b]));
     Neighbourhood joined(chords, x);
     for (int i = 0; i < static_cast<int>(x.size()); ++i) {
         const double least = leastGap * boundary.h[i];

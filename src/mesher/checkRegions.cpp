@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "mesher/binGrid.hpp"
 #include "mesher/checks.hpp"
+#include "mesher/segmentDistance.hpp"
 
 namespace pfem {
 

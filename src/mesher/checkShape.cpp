@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "mesher/binGrid.hpp"
 #include "mesher/checks.hpp"
 #include "mesher/crossing.hpp"
+#include "mesher/segmentDistance.hpp"
 #include "mesher/thinOut.hpp"
 
 namespace pfem {

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <deque>
 
-#include "mesher/binGrid.hpp"
+#include "mesh/bins.hpp"
+#include "mesher/segmentDistance.hpp"
 
 namespace pfem {
 
@@ -116,7 +117,7 @@ void checkTouching(const Draft& draft, const Sides& sides, double meanSize) {
         if (!has(sides, {face[1], face[0]})) outline.push_back(face);
     double longest = 0;
     for (const auto& [a, b] : outline) longest = std::max(longest, (draft.x[b] - draft.x[a]).norm());
-    BinGrid nodes(longest);
+    Bins<2> nodes(draft.x, longest);
     for (const auto& face : outline) nodes.add(face[0], draft.x[face[0]], draft.x[face[0]]);
     for (const auto& [a, b] : outline) {
         const Vec<2> d = draft.x[b] - draft.x[a];

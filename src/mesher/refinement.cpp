@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "mesher/binGrid.hpp"
 #include "mesher/meshDescription.hpp"
+#include "mesher/segmentDistance.hpp"
 
 namespace pfem {
 

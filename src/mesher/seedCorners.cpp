@@ -3,8 +3,8 @@
 #include <map>
 #include <numbers>
 
-#include "mesher/binGrid.hpp"
 #include "mesher/region.hpp"
+#include "mesher/segmentDistance.hpp"
 
 namespace pfem {
 

@@ -2,9 +2,10 @@
 #include <cmath>
 #include <limits>
 
-#include "mesher/binGrid.hpp"
+#include "mesh/bins.hpp"
 #include "mesher/counts.hpp"
 #include "mesher/region.hpp"
+#include "mesher/segmentDistance.hpp"
 
 namespace pfem {
 
@@ -60,9 +61,11 @@ namespace {
 /// Points not nearer to the boundary than `clearance` times the size.
 void seedAt(Region& region, const SizeField& size, double clearance) {
     constexpr double spacing = 0.8;  // least distance between points of different lattices / size
-    BinGrid boundary(region.h), points(region.h);
-    for (int e = 0; e < static_cast<int>(region.edges.size()); ++e)
-        boundary.addSegment(e, region.x[region.edges[e][0]], region.x[region.edges[e][1]]);
+    Bins<2> boundary(region.x, region.h), points = boundary;
+    for (int e = 0; e < static_cast<int>(region.edges.size()); ++e) {
+        const Vec<2>&a = region.x[region.edges[e][0]], &b = region.x[region.edges[e][1]];
+        boundary.add(e, a.cwiseMin(b), a.cwiseMax(b));
+    }
     for (int i = region.nBoundary; i < static_cast<int>(region.x.size()); ++i) points.add(i, region.x[i], region.x[i]);
 
     const bool graded = size.graded(region.h);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesher/binGrid.hpp"
+#include "mesher/segmentDistance.hpp"
 
 namespace pfem {
 
