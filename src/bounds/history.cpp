@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <limits>
 #include <set>
-#include <sstream>
 
-#include "base/atomicFile.hpp"
 #include "base/error.hpp"
 #include "case/timeFolders.hpp"
+#include "io/history.hpp"
 
 namespace pfem {
 
@@ -29,52 +28,22 @@ std::vector<TimeFolder> startFolders(const fs::path& root, const std::string& fu
     return starts;
 }
 
-/// The rows of one table file: the numbers of each column, brackets joining those of a vector.
+/// The rows of one table file: the numbers of each column, those of a vector together; NaN for dry probes.
 struct Rows {
-    bool probes = false;  // "# Probe 0 (x y z)"
+    bool probes = false;
     std::vector<std::string> titles;
     std::vector<std::vector<std::vector<double>>> columns;  // [row][column][component]
 };
 
-std::vector<std::vector<double>> parseRow(std::string line, const fs::path& file, int number) {
-    std::vector<std::vector<double>> row;
-    bool inside = false;
-    for (const char* bracket : {"(", ")"})
-        for (std::size_t at = 0; (at = line.find(bracket, at)) != std::string::npos; at += 3)
-            line.replace(at, 1, std::string(" ") + bracket + " ");
-    std::istringstream stream(line);
-    for (std::string word; stream >> word;) {
-        if (word == "(") row.emplace_back();
-        if (word == "(" || word == ")") {
-            inside = word == "(";
-            continue;
-        }
-        const auto value = asNumber(word);
-        if (!value) throw UserError("'" + word + "' is not a number", {file.string(), number});
-        if (!inside) row.emplace_back();
-        row.back().push_back(*value > -1e299 ? *value : std::numeric_limits<double>::quiet_NaN());
-    }
-    return row;
-}
-
 Rows readRows(const fs::path& file) {
-    Rows rows;
-    std::istringstream text(readText(file));
-    int number = 0;
-    for (std::string line; std::getline(text, line);) {
-        ++number;
-        std::string word;
-        const auto begin = line.find_first_not_of(" \t\r");
-        if (begin == std::string::npos) continue;
-        if (line[begin] != '#') {
-            if (text.eof()) break;  // a run that goes on, or was killed, may leave half a line
-            rows.columns.push_back(parseRow(line, file, number));
-            continue;
-        }
-        std::istringstream comment(line.substr(line.find('#') + 1));
-        rows.titles.clear();
-        while (comment >> word) rows.titles.push_back(word);
-        rows.probes = rows.probes || (!rows.titles.empty() && rows.titles[0] == "Probe");
+    const TableText table = readTable(file);
+    Rows rows{table.ofProbes(), table.titles(), {}};
+    for (std::size_t k = 0; k < table.rows.size(); ++k) {
+        auto row = numbersOf(table.rows[k], {file.string(), table.lineNumber[k]});
+        for (auto& column : row)
+            for (double& value : column)
+                if (!(value > -1e299)) value = std::numeric_limits<double>::quiet_NaN();
+        rows.columns.push_back(std::move(row));
     }
     return rows;
 }

@@ -1,10 +1,8 @@
 #include "functions/massLedger.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <set>
-#include <sstream>
 
 #include "io/history.hpp"
 
@@ -12,19 +10,10 @@ namespace pfem {
 
 namespace {
 
-std::vector<std::string> wordsOf(const std::string& line) {
-    std::istringstream stream(line);
-    return {std::istream_iterator<std::string>(stream), {}};
-}
-
 using Row = std::map<std::string, std::string>;  // title -> text
 
-std::vector<std::string> titlesOf(const TableText& table) {
-    return table.head.empty() ? std::vector<std::string>{} : wordsOf(table.head.back().substr(1));
-}
-
 std::vector<Row> rowsOf(const TableText& table) {
-    const auto titles = titlesOf(table);
+    const auto titles = table.titles();
     std::vector<Row> rows;
     for (const auto& line : table.rows) {
         const auto words = wordsOf(line);
@@ -78,7 +67,7 @@ void MassLedger<Dim>::start(const State<Dim>& state) {
         return beginTable();  // also when its first row comes much later: a restart before that finds it here
     const auto previous = previousTable(file_);
     if (!previous) return;
-    const auto titles = titlesOf(readTable(*previous, *context_.resumeAt));
+    const auto titles = readTable(*previous).titles();
     const auto fixed = massTitles({});
     for (const auto& title : fixed)
         if (std::find(titles.begin(), titles.end(), title) == titles.end()) return;  // another kind of table
@@ -107,7 +96,7 @@ void MassLedger<Dim>::execute(const State<Dim>& state) {
 template <int Dim>
 void MassLedger<Dim>::beginTable() {
     const bool there = rowsUntil_ && std::filesystem::exists(file_);  // somebody may have removed it meanwhile
-    const auto rows = there ? rowsOf(readTable(file_, *rowsUntil_)) : std::vector<Row>{};
+    const auto rows = there ? rowsOf(upTo(*rowsUntil_, readTable(file_))) : std::vector<Row>{};
     const auto titles = massTitles(causes_);
     std::vector<std::vector<std::string>> columns;
     for (const auto& row : rows) {

@@ -64,7 +64,7 @@ void Table::begin() {
     if (resumeAt_) {
         const auto previous = previousTable(file_);
         if (previous)
-            if (const TableText old = readTable(*previous, *resumeAt_); sameColumns(old.head, head_)) {
+            if (const TableText old = upTo(*resumeAt_, readTable(*previous)); sameColumns(old.head, head_)) {
                 file_ = *previous;
                 text = joined(old.head) + joined(old.rows);
             }
