@@ -92,8 +92,8 @@ public:
         return n;
     }
 
-    /// Displacements that leave the fluid at rest: of inner nodes, with their pressure; along the surface and walls.
-    /// (Rectangular tanks without solids.)
+    /// Displacements that leave the fluid at rest: of inner nodes, with their pressure; along the surface and walls; of
+    /// a solid that floats, along the surface. (Rectangular tanks; solids all float or none.)
     Eigen::MatrixXd equilibria(const TestCase& rest) const {
         const auto topology = rest.topology();
         std::vector<Eigen::VectorXd> found;
@@ -107,6 +107,16 @@ public:
             n.p[e.node] += 1000 * rest.problem.gravity.dot(dx);
             found.push_back(of(n));
         }
+        const auto constraints = rest.constraints(topology);
+        Nodes<2> shifted = rest_;
+        bool solids = false, held = false;
+        for (int i = 0; i < rest_.size(); ++i) {
+            if (!topology.onSolid[i]) continue;
+            solids = true;
+            held |= constraints.hold[i] != Hold::free;
+            shifted.x[i][0] += rest_.h[i];
+        }
+        if (solids && !held) found.push_back(of(shifted));
         Eigen::MatrixXd B(size(), static_cast<int>(found.size()));
         for (std::size_t j = 0; j < found.size(); ++j) B.col(static_cast<int>(j)) = found[j];
         return B;
