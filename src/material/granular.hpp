@@ -10,18 +10,22 @@
 
 namespace pfem {
 
+inline const char* const creepMeaning =
+    "Papanastasiou's time: below 1/m it creeps with m times the strength; some hundred times sqrt(height/g), for more "
+    "makes friction and pressure chase each other";
+
 /// Drucker and Prager's cone, in the plane Mohr and Coulomb's: tau = cohesion cos(phi) + p sin(phi) + mu g, with
 /// Papanastasiou's regularisation. Suction makes no friction.
 class DruckerPrager : public FluidLawOf<DruckerPrager> {
 public:
-    double frictionAngle = 30, cohesion = 0, mu = 0, m = 1000;
+    double frictionAngle = 30, cohesion = 0, mu = 0, m = 0;
 
     template <class Visitor>
     void entries(Visitor& v) {
         v.required("frictionAngle", frictionAngle, "-", "phi, in degrees", between(0, 89));
         v("cohesion", cohesion, "Pa", "shear stress that it stands without pressure", nonNegative);
         v("mu", mu, "Pa s", "viscosity beside", nonNegative);
-        v("m", m, "s", "Papanastasiou's time: shear rates below 1/m creep with the viscosity m tau", positive);
+        v.required("m", m, "s", creepMeaning, positive);
     }
     double viscosity(double g, double p) const override { return mu + strength(p) * yieldingTime(m, g); }
     double slope(double g, double p) const override { return strength(p) * yieldingTimeSlope(m, g); }
@@ -37,7 +41,7 @@ private:
 /// sqrt(rhoGrains/p), muS p with Papanastasiou's regularisation.
 class MuI : public FluidLawOf<MuI> {
 public:
-    double muS = 0, mu2 = 0, I0 = 0.3, grainSize = 0, grainDensity = 0, muMin = 0, m = 1000;
+    double muS = 0, mu2 = 0, I0 = 0.3, grainSize = 0, grainDensity = 0, muMin = 0, m = 0;
 
     template <class Visitor>
     void entries(Visitor& v) {
@@ -47,7 +51,7 @@ public:
         v.required("grainSize", grainSize, "m", "diameter of the grains", positive);
         v.required("grainDensity", grainDensity, "kg/m3", "of their stuff", positive);
         v("muMin", muMin, "Pa s", "viscosity without pressure", nonNegative);
-        v("m", m, "s", "Papanastasiou's time: shear rates below 1/m creep with the viscosity m muS p", positive);
+        v.required("m", m, "s", creepMeaning, positive);
     }
     std::string fault() const { return mu2 >= muS ? "" : "'mu2' must not be below 'muS'"; }
 
