@@ -117,7 +117,9 @@ void Canvas::noClip() { cairo_reset_clip(cairo_->context.get()); }
 void Canvas::fill(const std::vector<Polygon>& polygons, Colour colour) {
     cairo_t* const c = cairo_->context.get();
     cairo_->colour(colour);
+    cairo_new_path(c);
     for (const Polygon& polygon : polygons) {
+        cairo_new_sub_path(c);
         for (const Vec<2>& x : polygon) cairo_line_to(c, x[0], x[1]);
         cairo_close_path(c);
     }
