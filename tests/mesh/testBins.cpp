@@ -65,6 +65,7 @@ TEST(Bins, noPlacesNoWidthAndTooManyBins) {
     EXPECT_EQ(count, 1);
     Bins<2> many(Points<2>{{0, 0}, {1e9, 1}}, 1e-3);  // wider ones than asked for
     many.add(1, {5e8, 0}, {5e8, 1});
+    count = 0;
     many.forEachNear({5e8, 0}, 1, [&](int k) { count += k; });
     EXPECT_EQ(count, 1);
 }
