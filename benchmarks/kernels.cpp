@@ -52,7 +52,7 @@ struct StartOfStep {
     const Nodes<2>& nodes = c.state.nodes;
     const Cells<2>& cells = c.state.mesh.fluid;
     double dt = 0.1 * nodes.h[0];
-    FluidPhase<2> phase{c.problem, c.state.mesh, topology.fluid, nodes.x, nodes.v, Integration::nodal};
+    FluidPhase<2> phase{c.problem, c.state.mesh, topology.fluid, nodes, Integration::nodal};
     Patches<2>& fluid = phase.patches;
     Stabilisation tau{stabilisation<2>(c.problem, cells, fluid, phase.mu, nodes.v, dt),
                       projectedCells<2>(c.controls.continuity, c.problem, cells, topology, nodes)};
