@@ -136,8 +136,7 @@ std::vector<double> continuityResidual(const Step<Dim>& step, const ContinuityCo
         const double viscous = 2 * mu[face.cell] * dn.dot(n);
         const double weight =
             surfaceStabilisation<Dim>(tau[face.cell], mu[face.cell], g.measure, measure) * measure / Dim;
-        const auto meniscus =
-            meniscusPressure<Dim>(fluid.rho * step.problem.gravity, topology, middle.x, middle.h, face.nodes);
+        const auto meniscus = meniscusPressure<Dim>(step.problem, fluid.rho, topology, middle, face.nodes);
         for (int k = 0; k < Dim; ++k)
             R[face.nodes[k]] += weight * twoOverH * (middle.p[face.nodes[k]] - meniscus[k] - viscous);
     }

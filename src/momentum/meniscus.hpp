@@ -14,18 +14,18 @@ namespace pfem {
 
 /// Pressure at the nodes of a face of the free surface [Pa]: weight . (x_I - x_0) at a place that the surface sticks
 /// to, x_0 the mean of the face's free nodes, and within weight h of it; 0 at free nodes, and where no node is free.
-/// weight: rho g [N/m3].
+/// Times 1 - v^2/(g h/10), no less than 0, of the face's fastest node: impacts and jets know no meniscus.
 template <int Dim>
-std::array<double, Dim> meniscusPressure(const Vec<Dim>& weight, const Topology<Dim>& topology, const Points<Dim>& x,
-                                         const std::vector<double>& h, const Face<Dim>& face);
+std::array<double, Dim> meniscusPressure(const Problem<Dim>& problem, double rho, const Topology<Dim>& topology,
+                                         const Nodes<Dim>& nodes, const Face<Dim>& face);
 
 /// Add to the force what this pressure makes of each free node, - A p_I/(d (d+1)) with the face's area A, and the
 /// opposite to the place that it hangs on: momentum stays.
 template <int Dim>
 void addMeniscus(const Problem<Dim>& problem, const Cells<Dim>& fluid, const Topology<Dim>& topology,
-                 const Points<Dim>& x, const std::vector<double>& h, Points<Dim>& force);
+                 const Nodes<Dim>& nodes, Points<Dim>& force);
 
-/// Work of these forces in a step, as its momentum has them at x_m = (1 - gamma) x^n + gamma x [J/m (2D), J].
+/// Work of these forces in a step, as its momentum has them at x_m = (1 - gamma) x^n + gamma x and v_m [J/m (2D), J].
 template <int Dim>
 double meniscusWork(const Problem<Dim>& problem, const Cells<Dim>& fluid, const Topology<Dim>& topology,
                     const Nodes<Dim>& old, const Nodes<Dim>& now, double gamma);

@@ -29,7 +29,7 @@ template <int Dim>
 Points<Dim> externalForce(const Mesh<Dim>& mesh, const Topology<Dim>& topology, const FluidPhase<Dim>& fluid,
                           const Nodes<Dim>& nodes) {
     auto force = tractionForce<Dim>(mesh, fluid.problem.conditions, nodes.x);
-    addMeniscus<Dim>(fluid.problem, mesh.fluid, topology, nodes.x, nodes.h, force);
+    addMeniscus<Dim>(fluid.problem, mesh.fluid, topology, nodes, force);
     addWallFriction<Dim>(fluid.problem, mesh.fluid, topology, nodes, force);
     addSideFriction<Dim>(fluid.problem, mesh.fluid, fluid.patches, nodes.v, force);
     return force;

@@ -35,7 +35,7 @@ Points<2> residual(const TestCase& c, bool meniscus) {
     const FluidPhase<2> fluid(c.problem, c.state.mesh, topology.fluid, nodes, Integration::nodal);
     const SolidPhase<2> solid(c.problem, c.controls.solid, c.state.mesh, topology.solid, nodes, Integration::nodal);
     Points<2> external(nodes.size(), Vec<2>::Zero());
-    if (meniscus) addMeniscus<2>(c.problem, c.state.mesh.fluid, topology, nodes.x, nodes.h, external);
+    if (meniscus) addMeniscus<2>(c.problem, c.state.mesh.fluid, topology, nodes, external);
     auto R = momentumResidual<2>(nodalMass<2>(fluid, solid), nodes, fluid, solid, external, 1);
     const auto constraints = c.constraints(topology);
     for (int i = 0; i < nodes.size(); ++i)
@@ -59,7 +59,7 @@ TEST(Meniscus, isAForceWithin) {
     const TestCase c = besideWall(0.03);
     const auto topology = c.topology();
     Points<2> force(c.state.nodes.size(), Vec<2>::Zero());
-    addMeniscus<2>(c.problem, c.state.mesh.fluid, topology, c.state.nodes.x, c.state.nodes.h, force);
+    addMeniscus<2>(c.problem, c.state.mesh.fluid, topology, c.state.nodes, force);
     Vec<2> sum = Vec<2>::Zero();
     double lifted = 0;
     for (int i = 0; i < c.state.nodes.size(); ++i) {
@@ -88,8 +88,7 @@ TEST(Meniscus, isNoHigherThanTheMesh) {
     double most = 0;
     for (const auto& face : topology.faces)
         if (face.kind == FaceKind::freeSurface)
-            for (const double p :
-                 meniscusPressure<2>(rho * c.problem.gravity, topology, c.state.nodes.x, c.state.nodes.h, face.nodes))
+            for (const double p : meniscusPressure<2>(c.problem, rho, topology, c.state.nodes, face.nodes))
                 most = std::max(most, std::abs(p));
     EXPECT_NEAR(most, rho * g * 0.1, 1e-9 * rho * g);
 }

@@ -186,7 +186,7 @@ TEST(StillWater, restsBesideAnElasticWall) {
     for (const double high : {0.5, 0.55, 0.57, 0.58}) {
         TestCase c = poolsBesideWall(high, h);
         c.start(dt);
-        calm(c, 150);
+        calm(c, 400);
         for (int n = 0; n < 500; ++n) c.step(dt);
         const auto ledger = c.state.ledger;
         double fastest = 0;
