@@ -26,7 +26,7 @@ double runOut(double aspect) {
     c.start(dt);
     while (c.state.time.value < 0.6) {
         const auto rate = courantRate(c.state);
-        dt = std::min({5e-3, 1.2 * dt, 0.5 / rate.largest, 0.4 / rate.relative, 0.2 / rate.compression});
+        dt = std::min({5e-3, 1.2 * dt, 1 / std::max({2 * rate.largest, 2.5 * rate.relative, 5 * rate.compression})});
         c.step(dt);
     }
     double front = 0, speed = 0;
