@@ -65,8 +65,8 @@ std::map<VolumeCause, double> largestSums(TestCase& c, double interval, int inte
             largest[cause] = std::max(largest[cause], std::abs(sum));
             all += sum;
         }
-        for (std::size_t k = 0; k < Causes<VolumeCause>::table.size(); ++k) {
-            const auto cause = static_cast<VolumeCause>(k);
+        for (std::size_t which = 0; which < Causes<VolumeCause>::table.size(); ++which) {
+            const auto cause = static_cast<VolumeCause>(which);
             EXPECT_GE(c.state.ledger.fields().count(cause), c.state.ledger.has(cause) ? 1u : 0u) << textOf(cause).name;
         }
         EXPECT_NEAR(all, totalVolume<2>(c.state) - volume, 1e-14);
