@@ -9,6 +9,10 @@
 
 namespace pfem {
 
+/// Is the stress of a point that of several cells, so that bodies whose laws answer to different strains cannot share
+/// nodes?
+inline bool mixesCells(Integration scheme) { return scheme == Integration::nodal; }
+
 /// The same patches with the nodes as stress points.
 template <int Dim>
 Patches<Dim> withNodalPoints(Patches<Dim> patches) {

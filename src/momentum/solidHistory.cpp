@@ -22,43 +22,12 @@ std::vector<int> historyColumns(const SolidLaw& law, const std::vector<std::stri
     return columns;
 }
 
-namespace {
-
-/// Of each cell: the mean of its nodes.
-template <int Dim>
-History cellMeans(const Patches<Dim>& patches, const History& nodal) {
-    History cell{nodal.names, {}};
-    cell.resize(patches.nCells());
-    for (int e = 0; e < patches.nCells(); ++e)
-        for (int k = 0; k < nodal.width(); ++k)
-            for (const int node : patches.cell(e)) cell.at(e, k) += nodal.at(node, k) / (Dim + 1);
-    return cell;
-}
-
-/// At each node of the material: the mean of its patch.
-template <int Dim>
-History nodalMeans(const Patches<Dim>& patches, const History& cell) {
-    const NodeToCells& around = *patches.around;
-    History nodal{cell.names, {}};
-    nodal.resize(patches.nNodes());
-    for (int i = 0; i < patches.nNodes(); ++i)
-        for (int s = around.start[i]; s < around.start[i + 1]; ++s)
-            for (int k = 0; k < cell.width(); ++k)
-                nodal.at(i, k) += patches.element[around.cell[s]].measure * cell.at(around.cell[s], k) /
-                                  ((Dim + 1) * patches.volume[i]);
-    return nodal;
-}
-
-}  // namespace
-
 template <int Dim>
 History historyAtPoints(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
                         const History& nodal) {
     History history{historyNames<Dim>(problem), {}};
     if (history.empty()) return history;
-    History stored = patches.scheme == Integration::nodal ? nodal
-                     : cells.history.empty()              ? cellMeans<Dim>(patches, nodal)
-                                                          : cells.history;
+    History stored = storedHistory<Dim>(patches, nodal, cells.history);
     if (stored.names == history.names) return stored;
     const int n = nStressPoints<Dim>(patches);
     history.resize(n);
@@ -76,19 +45,7 @@ History historyAtPoints(const Problem<Dim>& problem, const Cells<Dim>& cells, co
     return history;
 }
 
-template <int Dim>
-void storeHistory(const Patches<Dim>& patches, History point, History& nodal, History& cell) {
-    if (patches.scheme == Integration::nodal) {
-        nodal = std::move(point);
-        cell = {};
-    } else {
-        nodal = nodalMeans<Dim>(patches, point);
-        cell = std::move(point);
-    }
-}
-
 template std::vector<std::string> historyNames<2>(const Problem<2>&);
 template History historyAtPoints<2>(const Problem<2>&, const Cells<2>&, const Patches<2>&, const History&);
-template void storeHistory<2>(const Patches<2>&, History, History&, History&);
 
 }  // namespace pfem

@@ -1,8 +1,7 @@
 #pragma once
 // What the laws of the solids remember, at the stress points.
 
-#include "base/history.hpp"
-#include "integration/stressPoints.hpp"
+#include "integration/pointHistory.hpp"
 #include "state/problem.hpp"
 
 namespace pfem {
@@ -19,9 +18,5 @@ std::vector<int> historyColumns(const SolidLaw& law, const std::vector<std::stri
 template <int Dim>
 History historyAtPoints(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
                         const History& nodal);
-
-/// Store a history of the points: in `cell` what elements carry (empty for nodal), in `nodal` its value at the nodes.
-template <int Dim>
-void storeHistory(const Patches<Dim>& patches, History point, History& nodal, History& cell);
 
 }  // namespace pfem

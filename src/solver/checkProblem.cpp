@@ -8,6 +8,7 @@
 
 #include "dictionary/flatEntries.hpp"
 #include "dictionary/print.hpp"
+#include "integration/stressPoints.hpp"
 #include "io/uniformTime.hpp"
 #include "mesh/simplex.hpp"
 
@@ -185,7 +186,7 @@ std::vector<std::string> doubts(const Dictionary& materials, const Dictionary& g
 
 template <int Dim>
 void checkLaws(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const IntegrationControls& integration) {
-    if (integration.scheme() == Integration::elemental) return;
+    if (!mixesCells(integration.scheme())) return;
     std::map<int, int> cellOf;
     const auto kindOf = [&](int e) { return problem.solid(mesh.solid.material[e]).law->kinematics(); };
     for (int e = 0; e < mesh.solid.size(); ++e)
