@@ -53,7 +53,7 @@ struct StartOfStep {
     const Cells<2>& cells = c.state.mesh.fluid;
     double dt = 0.1 * nodes.h[0];
     FluidPhase<2> phase{c.problem, c.state.mesh, topology.fluid, nodes, Integration::nodal};
-    Patches<2>& fluid = phase.patches;
+    SmoothingDomains<2>& fluid = phase.domains;
     Stabilisation tau{stabilisation<2>(c.problem, cells, fluid, phase.mu, nodes.v, dt),
                       projectedCells<2>(c.controls.continuity, c.problem, cells, topology, nodes)};
     SolidBlock<2> noSolid{solidDofs<2>(topology.solid, constraints), symmetricPattern({})};
@@ -100,7 +100,7 @@ void TopologyOfStep(benchmark::State& state) {
 
 void PatchesOfNodes(benchmark::State& state) {
     StartOfStep s{column(static_cast<int>(state.range(0)))};
-    for (auto _ : state) updatePatches<2>(s.fluid, s.nodes.x);
+    for (auto _ : state) updateSmoothingDomains<2>(s.fluid, s.nodes.x);
     perTriangle(state, s.c);
 }
 

@@ -12,14 +12,14 @@ inline constexpr int shortLoop = 1500;
 
 /// work(0) ... work(n - 1), in parallel where they are many. They must not depend on each other nor throw.
 template <class Work>
-void forEach(int n, const Work& work) {
+void parallelFor(int n, const Work& work) {
 #pragma omp parallel for schedule(static) if (n > shortLoop)
     for (int i = 0; i < n; ++i) work(i);
 }
 
 /// The first i of 0 ... n - 1 for which holds(i), or n.
 template <class Holds>
-int firstOf(int n, const Holds& holds) {
+int parallelFirst(int n, const Holds& holds) {
     int first = n;
 #pragma omp parallel for schedule(static) reduction(min : first) if (n > shortLoop)
     for (int i = 0; i < n; ++i)
@@ -30,7 +30,7 @@ int firstOf(int n, const Holds& holds) {
 /// value(0) + ... + value(n - 1), in parallel where they are many: sums of blocks, so that the bits do not depend on
 /// the number of threads. Numbers, or anything that begins with zero and has +=.
 template <class Value>
-auto sumOver(int n, const Value& value) {
+auto parallelSum(int n, const Value& value) {
     using Sum = decltype(value(0));
     constexpr int block = 512;
     const int nBlocks = (n + block - 1) / block;
@@ -48,7 +48,7 @@ auto sumOver(int n, const Value& value) {
 
 /// work(0) ... work(n - 1) for few but long ones, at the same time; throws what the first of them has thrown.
 template <class Work>
-void forAll(int n, const Work& work) {
+void parallelTasks(int n, const Work& work) {
     std::vector<std::exception_ptr> failed(n);
 #pragma omp parallel for schedule(static, 1) if (n > 1)  // a single one has its own loops in parallel
     for (int k = 0; k < n; ++k) {
@@ -64,7 +64,7 @@ void forAll(int n, const Work& work) {
 
 /// a() and b(), at the same time where `items` are many; throws what a, or else b, has thrown.
 template <class A, class B>
-void together(int items, const A& a, const B& b) {
+void parallelInvoke(int items, const A& a, const B& b) {
     std::exception_ptr failed[2];
 #pragma omp parallel sections if (items > shortLoop)
     {

@@ -10,7 +10,7 @@ PatchType clampedPatch() {
             .kind = PatchKind::edge,
             .onlyOfSolids = true,
             .mayMove = true,
-            .own = Hold::fixed};
+            .own = Constraint::fixed};
 }
 
 }  // namespace pfem

@@ -34,7 +34,7 @@ NodeConstraints<Dim> nodeConstraints(const Mesh<Dim>& mesh, const BoundaryCondit
                                      const Topology<Dim>& topology, const Nodes<Dim>& nodes, double t0, double t1) {
     const std::size_t n = nodes.x.size();
     NodeConstraints<Dim> c;
-    c.hold.assign(n, Hold::free);
+    c.type.assign(n, Constraint::free);
     c.normal.assign(n, Vec<Dim>::Zero());
     c.mover.assign(n, -1);
     for (const auto& motion : conditions.motion)
@@ -46,9 +46,9 @@ NodeConstraints<Dim> nodeConstraints(const Mesh<Dim>& mesh, const BoundaryCondit
     for (std::size_t k = 0; k < mesh.patches.size(); ++k)
         for (const auto& face : mesh.patches[k].faces)
             for (int node : face) {
-                if (conditions.type[k]->own == Hold::fixed) fixed[node] = 1;
+                if (conditions.type[k]->own == Constraint::fixed) fixed[node] = 1;
                 if (conditions.motion[k]) c.mover[node] = static_cast<int>(k);
-                if (conditions.type[k]->own != Hold::slide) continue;
+                if (conditions.type[k]->own != Constraint::slide) continue;
                 slides[node] = 1;
                 planes.add(node, faceArea<Dim>(nodes.X, face).normalized());
             }
@@ -56,18 +56,18 @@ NodeConstraints<Dim> nodeConstraints(const Mesh<Dim>& mesh, const BoundaryCondit
     for (std::size_t i = 0; i < n; ++i) {
         const int node = static_cast<int>(i);
         if (slides[i]) {
-            c.hold[i] = planes.isCorner(node) ? Hold::fixed : Hold::slide;
+            c.type[i] = planes.isCorner(node) ? Constraint::fixed : Constraint::slide;
             c.normal[i] = planes.normal(node);
         }
         if (topology.onWall[i]) {
             const auto& wall = topology.walls[nodes.wall[i]];
             const PatchType& type = *conditions.type[wall.patch];
-            c.hold[i] = topology.freeSurface[i] ? type.contactLine : type.wet;
+            c.type[i] = topology.freeSurface[i] ? type.contactLine : type.wet;
             c.normal[i] = faceArea<Dim>(nodes.x, wall.nodes).normalized();
             if (!topology.corner[i]) c.mover[i] = moverOf(wall.patch);
             if (c.isMoved(node)) c.normal[i] = (c.motion[c.mover[i]].rotation * c.normal[i]).eval();
         }
-        if (fixed[i] || topology.corner[i]) c.hold[i] = Hold::fixed;
+        if (fixed[i] || topology.corner[i]) c.type[i] = Constraint::fixed;
     }
     return c;
 }

@@ -8,15 +8,15 @@ namespace pfem {
 
 template <int Dim>
 struct NodeConstraints {
-    std::vector<Hold> hold;
+    std::vector<Constraint> type;
     std::vector<Vec<Dim>> normal;        // of sliding nodes, at the end of the step
     std::vector<int> mover;              // per node: the motion that it follows, -1: held at rest
     std::vector<RigidStep<Dim>> motion;  // over the step
 
     /// The part of u that node i may perform.
     Vec<Dim> project(int i, const Vec<Dim>& u) const {
-        if (hold[i] == Hold::free) return u;
-        if (hold[i] == Hold::slide) return u - normal[i] * normal[i].dot(u);
+        if (type[i] == Constraint::free) return u;
+        if (type[i] == Constraint::slide) return u - normal[i] * normal[i].dot(u);
         return Vec<Dim>::Zero();
     }
     bool isMoved(int i) const { return mover[i] >= 0; }

@@ -9,8 +9,8 @@ PatchType noSlipPatch() {
             .meaning = "it sticks",
             .kind = PatchKind::wall,
             .mayMove = true,
-            .wet = Hold::fixed,
-            .contactLine = Hold::slide};
+            .wet = Constraint::fixed,
+            .contactLine = Constraint::slide};
 }
 
 }  // namespace pfem

@@ -13,7 +13,7 @@
 namespace pfem {
 
 /// How a node may move.
-enum class Hold : unsigned char {
+enum class Constraint : unsigned char {
     free,
     fixed,  // clamped, or stuck to a rigid wall
     slide   // only perpendicular to its normal
@@ -26,15 +26,15 @@ struct PatchEntries {
 };
 
 struct PatchType {
-    std::string name;               // `type` in constant/boundaryConditions
-    std::string meaning;            // for the keyword page
-    PatchKind kind;                 // what the mesh sees
-    bool onlyOfSolids = false;      // not for planes that cut a body of fluid
-    bool mayMove = false;           // takes a `motion`
-    bool loads = false;             // prescribes the force on it: bears nothing
-    Hold own = Hold::free;          // of its own nodes; those of walls are corners, which are fixed
-    Hold wet = Hold::free;          // of fluid nodes on a wall of this type under water, and of drops
-    Hold contactLine = Hold::free;  // of fluid nodes on it at the free surface
+    std::string name;                           // `type` in constant/boundaryConditions
+    std::string meaning;                        // for the keyword page
+    PatchKind kind;                             // what the mesh sees
+    bool onlyOfSolids = false;                  // not for planes that cut a body of fluid
+    bool mayMove = false;                       // takes a `motion`
+    bool loads = false;                         // prescribes the force on it: bears nothing
+    Constraint own = Constraint::free;          // of its own nodes; those of walls are corners, which are fixed
+    Constraint wet = Constraint::free;          // of fluid nodes on a wall of this type under water, and of drops
+    Constraint contactLine = Constraint::free;  // of fluid nodes on it at the free surface
     std::vector<EntryDescription> entries = {};
     /// Read them; `plane`: of a case in two dimensions.
     std::function<PatchEntries(const Dictionary& entry, bool plane)> read = nullptr;

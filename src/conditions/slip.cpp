@@ -9,8 +9,8 @@ PatchType slipPatch() {
             .meaning = "fluid slides along the wall",
             .kind = PatchKind::wall,
             .mayMove = true,
-            .wet = Hold::slide,
-            .contactLine = Hold::slide,
+            .wet = Constraint::slide,
+            .contactLine = Constraint::slide,
             .entries = {{"friction", "scalar", "-", "0",
                          "of a slip wall: shear stress rho c_f |u| u / 2; smooth walls 0.079 Re^(-1/4), Re with 4 "
                          "times the depth",

@@ -5,8 +5,10 @@
 namespace pfem {
 
 PatchType symmetryPatch() {
-    return {
-        .name = "symmetry", .meaning = "they slide along the patch", .kind = PatchKind::symmetry, .own = Hold::slide};
+    return {.name = "symmetry",
+            .meaning = "they slide along the patch",
+            .kind = PatchKind::symmetry,
+            .own = Constraint::slide};
 }
 
 }  // namespace pfem

@@ -9,7 +9,7 @@ template <int Dim>
 std::vector<double> compressedVolume(const Problem<Dim>& problem, const Cells<Dim>& cells, const NodeToCells& around,
                                      const Nodes<Dim>& now, const std::vector<double>& pOld) {
     std::vector<double> change(now.size(), 0.0);
-    forEach(now.size(), [&](int i) {
+    parallelFor(now.size(), [&](int i) {
         double compressibility = 0;  // Omega_I/kappa
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
             const int e = around.cell[s];

@@ -1,8 +1,8 @@
 #pragma once
 // The part of a change of volume that the pressure explains: fluid that is pressed together is not lost.
 
-#include "integration/nodalPatches.hpp"
-#include "state/problem.hpp"
+#include "conditions/problem.hpp"
+#include "integration/smoothingDomains.hpp"
 
 namespace pfem {
 

@@ -33,7 +33,7 @@ Unknowns numberUnknowns(const Topology<Dim>& topology, const NodeConstraints<Dim
     u.n = u.nPressure + nSolid;
     if (strong) return u;
     for (int i = 0; i < topology.nNodes(); ++i) {
-        const bool moves = constraints.hold[i] == Hold::free || constraints.hold[i] == Hold::slide;
+        const bool moves = constraints.type[i] == Constraint::free || constraints.type[i] == Constraint::slide;
         if (!topology.freeSurface[i] || topology.onSolid[i] || !moves) continue;
         u.surface[i] = u.n;
         u.n += Dim;
@@ -142,7 +142,7 @@ void addCells(const Parts<Dim>& parts, SymmetricMatrix& A) {
             for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
                 const int e = around.cell[s], k = around.corner[s];
                 const ViscousFluid& fluid = parts.step.problem.fluid(cells.material[e]);
-                const auto& g = parts.phase.patches.element[e];
+                const auto& g = parts.phase.domains.element[e];
                 const double tauE = parts.stabilisation.tau[e], schur = dt / fluid.rho;
                 const double unprojected = tauE + parts.controls.schurScale * schur;
                 const double laplacian = parts.stabilisation.projected[e] ? std::max(unprojected, schur) : unprojected;
@@ -179,11 +179,11 @@ template <int Dim>
 void addFreeSurface(const Parts<Dim>& parts, const Points<Dim>& x, SymmetricMatrix& A) {
     const auto& [step, controls, phase, stabilisation, solid, u] = parts;
     const auto& [tau, projected] = stabilisation;
-    const auto& [problem, topology, cells, patches] = std::tie(step.problem, step.topology, phase.cells, phase.patches);
+    const auto& [problem, topology, cells, domains] = std::tie(step.problem, step.topology, phase.cells, phase.domains);
     for (const auto& face : topology.faces) {
         if (face.kind != FaceKind::freeSurface) continue;
         const double measure = faceArea<Dim>(x, face.nodes).norm();
-        const double cell = patches.element[face.cell].measure, twoOverH = 2 * measure / (Dim * cell);
+        const double cell = domains.element[face.cell].measure, twoOverH = 2 * measure / (Dim * cell);
         const double tauN = surfaceStabilisation<Dim>(tau[face.cell], phase.mu[face.cell], cell, measure);
         for (int node : face.nodes)
             if (u.pressure[node] >= 0 && !projected[face.cell])
@@ -196,7 +196,7 @@ void addFreeSurface(const Parts<Dim>& parts, const Points<Dim>& x, SymmetricMatr
         double mass = 0;
         for (int s = topology.fluid.start[i]; s < topology.fluid.start[i + 1]; ++s) {
             const int e = topology.fluid.cell[s];
-            mass += problem.fluid(cells.material[e]).rho * patches.element[e].measure / (Dim + 1);
+            mass += problem.fluid(cells.material[e]).rho * domains.element[e].measure / (Dim + 1);
         }
         const Vec<Dim> inertia = matrixInertia<Dim>(mass, stiffness[i], step.midpoint);
         for (int c = 0; c < Dim; ++c) {
@@ -224,7 +224,7 @@ std::vector<int> partsOfUnknowns(const SymmetricMatrix& A, const Places<Dim>& pl
     if (nParts < 2) return std::vector<int>(A.n, 0);
     std::array<std::vector<int>, Dim> part;
     std::array<int, Dim> parted{};
-    forAll(Dim, [&](int axis) {
+    parallelTasks(Dim, [&](int axis) {
         part[axis] = slabs<Dim>(place, nParts, axis);
         int count = 0;
         for (int j = 0; j < A.n; ++j)

@@ -29,7 +29,7 @@ CellTerms<Dim> cellTerms(const Step<Dim>& step, const FluidPhase<Dim>& phase, co
     t.flux.resize(cells.nodes.size());
 #pragma omp parallel for schedule(static) if (cells.size() > shortLoop)
     for (int e = 0; e < cells.size(); ++e) {
-        const auto& g = phase.patches.element[e];
+        const auto& g = phase.domains.element[e];
         double growth = 0;  // |e| div v at the end of the step
         Vec<Dim> gradP = Vec<Dim>::Zero();
         Vec<Dim> a = Vec<Dim>::Zero();
@@ -51,33 +51,33 @@ CellTerms<Dim> cellTerms(const Step<Dim>& step, const FluidPhase<Dim>& phase, co
 /// flux_e -= |e| tau_e times the mean over the cell's nodes of the tau-weighted mean of flux/(|e| tau) around each
 /// node.
 template <int Dim>
-void subtractProjection(const Patches<Dim>& patches, const NodeToCells& around, const std::vector<double>& tau,
+void subtractProjection(const SmoothingDomains<Dim>& domains, const NodeToCells& around, const std::vector<double>& tau,
                         const std::vector<unsigned char>& projected, std::vector<Vec<Dim>>& flux) {
-    Points<Dim> mean(patches.nNodes(), Vec<Dim>::Zero());
-    forEach(patches.nNodes(), [&](int i) {
+    Points<Dim> mean(domains.nNodes(), Vec<Dim>::Zero());
+    parallelFor(domains.nNodes(), [&](int i) {
         double weight = 0;
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
             const int e = around.cell[s];
             if (!projected[e]) continue;
-            weight += tau[e] * patches.element[e].measure;
+            weight += tau[e] * domains.element[e].measure;
             mean[i] += flux[e];
         }
         if (weight > 0) mean[i] /= weight;
     });
-    forEach(patches.nCells(), [&](int e) {
+    parallelFor(domains.nCells(), [&](int e) {
         if (!projected[e]) return;
         Vec<Dim> m = Vec<Dim>::Zero();
-        for (int node : patches.cell(e)) m += mean[node] / (Dim + 1);
-        flux[e] -= tau[e] * patches.element[e].measure * m;
+        for (int node : domains.cell(e)) m += mean[node] / (Dim + 1);
+        flux[e] -= tau[e] * domains.element[e].measure * m;
     });
 }
 
 template <int Dim>
-double meanOverCells(const Patches<Dim>& patches, const std::vector<double>& value) {
+double meanOverCells(const SmoothingDomains<Dim>& domains, const std::vector<double>& value) {
     double sum = 0, volume = 0;
-    for (int e = 0; e < patches.nCells(); ++e) {
-        sum += patches.element[e].measure * value[e];
-        volume += patches.element[e].measure;
+    for (int e = 0; e < domains.nCells(); ++e) {
+        sum += domains.element[e].measure * value[e];
+        volume += domains.element[e].measure;
     }
     return volume > 0 ? sum / volume : 0;
 }
@@ -96,13 +96,13 @@ std::vector<double> continuityResidual(const Step<Dim>& step, const ContinuityCo
     const bool inertia = controls.stabilisation != "bodyForce";
     const bool projection = controls.stabilisation == "projection";
     const auto& [tau, projected] = stabilisation;
-    const auto& [cells, patches, mu] = std::tie(phase.cells, phase.patches, phase.mu);
+    const auto& [cells, domains, mu] = std::tie(phase.cells, phase.domains, phase.mu);
     const auto& [topology, middle, old] = std::tie(step.topology, trial.middle, step.old);
     const double dt = step.dt();
-    const double tauFaces = inertia ? 0 : meanOverCells<Dim>(patches, tau);
+    const double tauFaces = inertia ? 0 : meanOverCells<Dim>(domains, tau);
     auto terms = cellTerms<Dim>(step, phase, stabilisation, tauFaces, trial);
     const NodeToCells& around = topology.fluid;
-    if (projection) subtractProjection<Dim>(patches, around, tau, projected, terms.flux);
+    if (projection) subtractProjection<Dim>(domains, around, tau, projected, terms.flux);
     const double returnRate = volumeReturnRate(controls, dt);
     std::vector<double> R(middle.size(), 0.0);
 #pragma omp parallel for schedule(static) if (cells.size() > shortLoop)
@@ -111,7 +111,7 @@ std::vector<double> continuityResidual(const Step<Dim>& step, const ContinuityCo
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
             const int e = around.cell[s];
             compressibility += terms.compressibility[e];
-            R[i] += terms.rate[e] + terms.flux[e].dot(patches.element[e].gradN[around.corner[s]]);
+            R[i] += terms.rate[e] + terms.flux[e].dot(domains.element[e].gradN[around.corner[s]]);
         }
         R[i] += compressibility * (middle.p[i] - old.p[i]) / dt;
         if (around.count(i) > 0) R[i] -= returnRate * old.lostVolume[i];
@@ -121,7 +121,7 @@ std::vector<double> continuityResidual(const Step<Dim>& step, const ContinuityCo
         const bool free = face.kind == FaceKind::freeSurface;
         if (!free && (inertia || !controls.interfaceAcceleration)) continue;
         const ViscousFluid& fluid = step.problem.fluid(cells.material[face.cell]);
-        const auto& g = patches.element[face.cell];
+        const auto& g = domains.element[face.cell];
         const Vec<Dim> area = faceArea<Dim>(middle.x, face.nodes);
         const double measure = area.norm();
         if (measure == 0) continue;

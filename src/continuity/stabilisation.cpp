@@ -8,14 +8,15 @@
 namespace pfem {
 
 template <int Dim>
-std::vector<double> stabilisation(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
-                                  const std::vector<double>& mu, const Points<Dim>& v, double dt) {
+std::vector<double> stabilisation(const Problem<Dim>& problem, const Cells<Dim>& cells,
+                                  const SmoothingDomains<Dim>& domains, const std::vector<double>& mu,
+                                  const Points<Dim>& v, double dt) {
     std::vector<double> tau(cells.size());
 #pragma omp parallel for schedule(static) if (cells.size() > shortLoop)
     for (int e = 0; e < cells.size(); ++e) {
         const ViscousFluid& fluid = problem.fluid(cells.material[e]);
         const double h =
-            Dim == 2 ? std::sqrt(2 * patches.element[e].measure) : std::cbrt(6 * patches.element[e].measure);
+            Dim == 2 ? std::sqrt(2 * domains.element[e].measure) : std::cbrt(6 * domains.element[e].measure);
         Vec<Dim> mean = Vec<Dim>::Zero();
         for (int node : cells.nodes[e]) mean += v[node] / (Dim + 1);
         tau[e] = 1 / (8 * mu[e] / (h * h) + fluid.rho / dt + fluid.rho * mean.norm() / h);
@@ -47,16 +48,16 @@ std::vector<unsigned char> projectedCells(const ContinuityControls& controls, co
                                           const Nodes<Dim>& nodes) {
     std::vector<unsigned char> projected(cells.size(), 0);
     if (controls.stabilisation != "projection") return projected;
-    const auto bounded = [&](int i) { return topology.onWall[i] || topology.held(i); };
+    const auto bounded = [&](int i) { return topology.onWall[i] || topology.onSolidOrCorner(i); };
     std::vector<unsigned char> inside(topology.nNodes()),
         besideInside(topology.nNodes());  // of the fluid; on a wall or solid beside such a one
-    forEach(topology.nNodes(), [&](int i) { inside[i] = !topology.freeSurface[i] && !bounded(i); });
-    forEach(topology.nNodes(), [&](int i) {
+    parallelFor(topology.nNodes(), [&](int i) { inside[i] = !topology.freeSurface[i] && !bounded(i); });
+    parallelFor(topology.nNodes(), [&](int i) {
         if (!bounded(i)) return;
         for (int s = topology.ring.start[i]; s < topology.ring.start[i + 1]; ++s)
             besideInside[i] |= inside[topology.ring.node[s]];
     });
-    forEach(cells.size(), [&](int e) {
+    parallelFor(cells.size(), [&](int e) {
         bool contactLine = false, beside = false, solid = false;
         for (int node : cells.nodes[e]) {
             projected[e] |= inside[node];
@@ -73,7 +74,7 @@ std::vector<unsigned char> projectedCells(const ContinuityControls& controls, co
 template std::vector<unsigned char> projectedCells<2>(const ContinuityControls&, const Problem<2>&, const Cells<2>&,
                                                       const Topology<2>&, const Nodes<2>&);
 template double surfaceStabilisation<2>(double, double, double, double);
-template std::vector<double> stabilisation<2>(const Problem<2>&, const Cells<2>&, const Patches<2>&,
+template std::vector<double> stabilisation<2>(const Problem<2>&, const Cells<2>&, const SmoothingDomains<2>&,
                                               const std::vector<double>&, const Points<2>&, double);
 
 }  // namespace pfem

@@ -3,8 +3,9 @@
 namespace pfem {
 
 template <int Dim>
-void addViscousPressure(const Patches<Dim>& fluid, const std::vector<double>& mu, const std::vector<double>& scale,
-                        const std::vector<double>& residual, std::vector<double>& dp) {
+void addViscousPressure(const SmoothingDomains<Dim>& fluid, const std::vector<double>& mu,
+                        const std::vector<double>& scale, const std::vector<double>& residual,
+                        std::vector<double>& dp) {
     const NodeToCells& around = *fluid.around;
     for (int i = 0; i < fluid.nNodes(); ++i) {
         double sum = 0;  // (d+1) Omega_I mu_I
@@ -15,7 +16,7 @@ void addViscousPressure(const Patches<Dim>& fluid, const std::vector<double>& mu
     }
 }
 
-template void addViscousPressure<2>(const Patches<2>&, const std::vector<double>&, const std::vector<double>&,
+template void addViscousPressure<2>(const SmoothingDomains<2>&, const std::vector<double>&, const std::vector<double>&,
                                     const std::vector<double>&, std::vector<double>&);
 
 }  // namespace pfem

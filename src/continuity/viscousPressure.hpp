@@ -1,7 +1,7 @@
 #pragma once
 // The pressure's answer to a divergence that viscosity, not inertia, resists.
 
-#include "integration/nodalPatches.hpp"
+#include "integration/smoothingDomains.hpp"
 
 namespace pfem {
 
@@ -10,7 +10,7 @@ namespace pfem {
 /// first part, this is the second. It shapes the path of the iteration, never the converged step. `mu`: of the cells
 /// [Pa s]; `scale`: of each node; `residual`: R_c [m2/s (2D)].
 template <int Dim>
-void addViscousPressure(const Patches<Dim>& fluid, const std::vector<double>& mu, const std::vector<double>& scale,
-                        const std::vector<double>& residual, std::vector<double>& dp);
+void addViscousPressure(const SmoothingDomains<Dim>& fluid, const std::vector<double>& mu,
+                        const std::vector<double>& scale, const std::vector<double>& residual, std::vector<double>& dp);
 
 }  // namespace pfem

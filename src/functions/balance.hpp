@@ -1,8 +1,8 @@
 #pragma once
 // The solver's own momentum balance of a written state: what supports must give, and what the stresses are.
 
+#include "conditions/problem.hpp"
 #include "solver/controls.hpp"
-#include "state/problem.hpp"
 
 namespace pfem {
 

@@ -33,7 +33,7 @@ template <int Dim>
 FaceForce<Dim> faceForce(const Problem<Dim>& problem, const State<Dim>& state, const WetFace<Dim>& face) {
     const Vec<Dim> area = faceArea<Dim>(state.nodes.x, face.nodes);
     Vec<Dim> traction = -(viscousStressOfCell<Dim>(problem, state, face.cell) * area);
-    if (face.patch >= 0 && problem.conditions.type[face.patch]->wet == Hold::slide)
+    if (face.patch >= 0 && problem.conditions.type[face.patch]->wet == Constraint::slide)
         traction = area * (area.dot(traction) / area.squaredNorm());
     const bool slips = face.patch >= 0 && problem.conditions.friction[face.patch] > 0;
     const double rho = problem.fluid(state.mesh.fluid.material[face.cell]).rho;

@@ -1,8 +1,8 @@
 #pragma once
 // The force of the fluid on one face of a wall or a solid.
 
+#include "conditions/problem.hpp"
 #include "functions/wetFaces.hpp"
-#include "state/problem.hpp"
 
 namespace pfem {
 

@@ -3,11 +3,11 @@
 
 #include <optional>
 
+#include "conditions/problem.hpp"
 #include "dictionary/entries.hpp"
 #include "functions/functionObject.hpp"
 #include "io/table.hpp"
 #include "solver/controls.hpp"
-#include "state/problem.hpp"
 
 namespace pfem {
 

@@ -57,7 +57,7 @@ std::vector<std::string> FunctionObjects<Dim>::names() const {
 
 template <int Dim>
 void FunctionObjects<Dim>::execute(const State<Dim>& state, const FolderDue& folderDue) {
-    forAll(size(), [&](int k) {
+    parallelTasks(size(), [&](int k) {
         auto& entry = functions_[k];
         entry.function->advance(state);
         if (entry.control.due(state.time, folderDue)) entry.function->execute(state);

@@ -16,10 +16,10 @@ namespace pfem {
 namespace {
 
 template <int Dim>
-double contraction(const Patches<Dim>& patches, const std::vector<Tensor<Dim>>& stress,
+double contraction(const SmoothingDomains<Dim>& domains, const std::vector<Tensor<Dim>>& stress,
                    const std::vector<Tensor<Dim>>& L) {
     double power = 0;
-    for (int e = 0; e < patches.nCells(); ++e) power += patches.element[e].measure * stress[e].cwiseProduct(L[e]).sum();
+    for (int e = 0; e < domains.nCells(); ++e) power += domains.element[e].measure * stress[e].cwiseProduct(L[e]).sum();
     return power;
 }
 
@@ -41,7 +41,7 @@ EnergyPowers wallPower(const Problem<Dim>& problem, const Controls& controls, co
     }
     std::vector<int> clamped;
     for (std::size_t k = 0; k < state.mesh.patches.size(); ++k)
-        if (problem.conditions.type[k]->own == Hold::fixed)
+        if (problem.conditions.type[k]->own == Constraint::fixed)
             for (const auto& face : state.mesh.patches[k].faces)
                 clamped.insert(clamped.end(), face.begin(), face.end());
     std::sort(clamped.begin(), clamped.end());
@@ -60,16 +60,16 @@ double elasticEnergy(const Problem<Dim>& problem, const Controls& controls, cons
     const auto& nodes = state.nodes;
     const auto& cells = state.mesh.solid;
     const auto around = nodeToCells<Dim>(cells.nodes, nodes.size());
-    auto patches = makePatches<Dim>(cells.nodes, around, nodes.x, controls.integration.scheme());
-    updateGradientPatches<Dim>(problem, cells, nodes, nodes, patches);
-    const auto F = toPoints<Dim>(patches, elementGradient<Dim>(patches, nodes.x));
-    const auto sigma = storedAtPoints<Dim>(patches, nodes.sigma, cells.sigma);
-    const History history = historyAtPoints<Dim>(problem, cells, patches, nodes.history);
+    auto domains = makeSmoothingDomains<Dim>(cells.nodes, around, nodes.x, controls.integration.scheme());
+    updateGradientDomains<Dim>(problem, cells, nodes, nodes, domains);
+    const auto F = toPoints<Dim>(domains, elementGradient<Dim>(domains, nodes.x));
+    const auto sigma = storedAtPoints<Dim>(domains, nodes.sigma, cells.sigma);
+    const History history = historyAtPoints<Dim>(problem, cells, domains, nodes.history);
     const bool whole = !controls.solid.withPressure();
     double sum = 0;
-    for (int p = 0; p < nStressPoints<Dim>(patches); ++p) {
-        if (!isStressPoint<Dim>(patches, p)) continue;
-        const Solid& material = solidMaterial<Dim>(problem, cells, patches, p);
+    for (int p = 0; p < nStressPoints<Dim>(domains); ++p) {
+        if (!isStressPoint<Dim>(domains, p)) continue;
+        const Solid& material = solidMaterial<Dim>(problem, cells, domains, p);
         const SolidLaw& law = *material.law;
         double density;
         if (law.kinematics() == Kinematics::reference) {
@@ -86,15 +86,15 @@ double elasticEnergy(const Problem<Dim>& problem, const Controls& controls, cons
             for (int c = 0; c < nStress<Dim>; ++c) squares += (c < 3 ? 1 : 2) * s[c] * s[c];
             density = 0.5 / E * ((1 + nu) * squares - nu * trace * trace);
         }
-        sum += pointVolume<Dim>(patches, p) * density;
+        sum += pointVolume<Dim>(domains, p) * density;
     }
     if (whole) return sum;
-    const auto atNodes = withNodalPoints<Dim>(patches);
-    const auto J = volumeRatio<Dim>(patches, nodes.x);
+    const auto atNodes = withNodalPoints<Dim>(domains);
+    const auto J = volumeRatio<Dim>(domains, nodes.x);
     for (int i = 0; i < nodes.size(); ++i) {
         if (!isStressPoint<Dim>(atNodes, i)) continue;
         const SolidLaw& law = *solidMaterial<Dim>(problem, cells, atNodes, i).law;
-        if (law.kinematics() == Kinematics::reference) sum += patches.volume[i] * law.volumeEnergy(J[i]);
+        if (law.kinematics() == Kinematics::reference) sum += domains.volume[i] * law.volumeEnergy(J[i]);
     }
     return sum;
 }
@@ -118,14 +118,14 @@ EnergyPowers energyPowers(const Problem<Dim>& problem, const Controls& controls,
     const auto& mesh = state.mesh;
     EnergyPowers powers;
     const auto aroundFluid = nodeToCells<Dim>(mesh.fluid.nodes, nodes.size());
-    const auto fluid = makePatches<Dim>(mesh.fluid.nodes, aroundFluid, nodes.x, controls.integration.scheme());
+    const auto fluid = makeSmoothingDomains<Dim>(mesh.fluid.nodes, aroundFluid, nodes.x, controls.integration.scheme());
     const auto mu = flowViscosity<Dim>(problem, mesh.fluid, fluid, nodes.v, nodes.p).mu;
     powers.viscous = contraction<Dim>(fluid, fluidTangentStress<Dim>(fluid, {mu, {}, {}}, nodes.v, {}),
                                       elementGradient<Dim>(fluid, nodes.v));
 
     // with stress zero what is left of the solid's element stress is the damper's
     const auto aroundSolid = nodeToCells<Dim>(mesh.solid.nodes, nodes.size());
-    const auto solid = makePatches<Dim>(mesh.solid.nodes, aroundSolid, nodes.x, controls.integration.scheme());
+    const auto solid = makeSmoothingDomains<Dim>(mesh.solid.nodes, aroundSolid, nodes.x, controls.integration.scheme());
     const SolidStress<Dim> none{std::vector<Stress<Dim>>(nStressPoints<Dim>(solid), Stress<Dim>::Zero()), {}, {}};
     powers.damper =
         contraction<Dim>(solid, solidElementStress<Dim>(problem, controls.solid, mesh.solid, solid, solid, none, nodes),

@@ -1,9 +1,9 @@
 #pragma once
 // Energies of a state and the powers that change them.
 
+#include "conditions/problem.hpp"
 #include "solver/controls.hpp"
 #include "solver/fluidEnergy.hpp"
-#include "state/problem.hpp"
 
 namespace pfem {
 

@@ -27,24 +27,24 @@ struct GradientRow {
 
 /// Row of element e: |e| grad N_J.
 template <int Dim>
-GradientRow<Dim> elementRow(const Patches<Dim>& patches, int e) {
+GradientRow<Dim> elementRow(const SmoothingDomains<Dim>& domains, int e) {
     GradientRow<Dim> row;
-    const auto& g = patches.element[e];
+    const auto& g = domains.element[e];
     row.volume = g.measure;
-    for (int k = 0; k <= Dim; ++k) row.add(patches.cell(e)[k], g.measure * g.gradN[k]);
+    for (int k = 0; k <= Dim; ++k) row.add(domains.cell(e)[k], g.measure * g.gradN[k]);
     return row;
 }
 
 /// Row of stress point p: Omega G_pJ, for a nodal patch sum_e |e|/(d+1) grad N_J.
 template <int Dim>
-GradientRow<Dim> pointRow(const Patches<Dim>& patches, int p) {
-    if (patches.scheme == Integration::elemental) return elementRow<Dim>(patches, p);
+GradientRow<Dim> pointRow(const SmoothingDomains<Dim>& domains, int p) {
+    if (domains.scheme == Integration::elemental) return elementRow<Dim>(domains, p);
     GradientRow<Dim> row;
-    row.volume = patches.volume[p];
-    const NodeToCells& around = *patches.around;
+    row.volume = domains.volume[p];
+    const NodeToCells& around = *domains.around;
     for (int s = around.start[p]; s < around.start[p + 1]; ++s) {
-        const auto& g = patches.element[around.cell[s]];
-        const auto& cell = patches.cell(around.cell[s]);
+        const auto& g = domains.element[around.cell[s]];
+        const auto& cell = domains.cell(around.cell[s]);
         for (int k = 0; k <= Dim; ++k) row.add(cell[k], g.measure / (Dim + 1) * g.gradN[k]);
     }
     return row;

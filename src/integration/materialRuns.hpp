@@ -14,11 +14,11 @@ namespace pfem {
 /// work(material, first, last) for runs first ... last - 1 of stress points of one material, in parallel where they are
 /// many; none is longer than 256. Throws what the first of the works has thrown.
 template <int Dim, class Work>
-void forMaterialRuns(const Patches<Dim>& patches, const Cells<Dim>& cells, const Work& work) {
+void forMaterialRuns(const SmoothingDomains<Dim>& domains, const Cells<Dim>& cells, const Work& work) {
     constexpr int block = 256;
-    const int n = nStressPoints<Dim>(patches), nBlocks = (n + block - 1) / block;
+    const int n = nStressPoints<Dim>(domains), nBlocks = (n + block - 1) / block;
     const auto materialOf = [&](int p) {
-        return isStressPoint<Dim>(patches, p) ? cells.material[cellOfPoint<Dim>(patches, p)] : -1;
+        return isStressPoint<Dim>(domains, p) ? cells.material[cellOfPoint<Dim>(domains, p)] : -1;
     };
     std::vector<std::exception_ptr> failed(nBlocks);
 #pragma omp parallel for schedule(static) if (n > shortLoop)

@@ -7,10 +7,10 @@ namespace pfem {
 
 /// What is stored, at the stress points. `cell` is empty in states of a nodal run: then the means of the nodes.
 template <int Dim>
-History storedHistory(const Patches<Dim>& patches, const History& nodal, const History& cell);
+History storedHistory(const SmoothingDomains<Dim>& domains, const History& nodal, const History& cell);
 
 /// Store a history of the points: in `cell` what elements carry (empty for nodal), in `nodal` its value at the nodes.
 template <int Dim>
-void storeHistory(const Patches<Dim>& patches, History point, History& nodal, History& cell);
+void storeHistory(const SmoothingDomains<Dim>& domains, History point, History& nodal, History& cell);
 
 }  // namespace pfem

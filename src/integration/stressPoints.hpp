@@ -2,10 +2,10 @@
 // Stress points: where strain rates are taken and stress lives. The ONE difference between nodal and elemental
 // integration; what is written in these terms serves both.
 //
-//   nodal:      the points are the nodes; gradients are means over their patches, G_IJ of (13)-(17)
+//   nodal:      the points are the nodes; gradients are means over their domains, G_IJ of (13)-(17)
 //   elemental:  the points are the elements; every mean below is the identity
 
-#include "integration/nodalPatches.hpp"
+#include "integration/smoothingDomains.hpp"
 
 namespace pfem {
 
@@ -13,82 +13,82 @@ namespace pfem {
 /// nodes?
 inline bool mixesCells(Integration scheme) { return scheme == Integration::nodal; }
 
-/// The same patches with the nodes as stress points.
+/// The same domains with the nodes as stress points.
 template <int Dim>
-Patches<Dim> withNodalPoints(Patches<Dim> patches) {
-    patches.scheme = Integration::nodal;
-    return patches;
+SmoothingDomains<Dim> withNodalPoints(SmoothingDomains<Dim> domains) {
+    domains.scheme = Integration::nodal;
+    return domains;
 }
 
 /// Length of a field on the stress points; nodal: all nodes of the mesh, those outside the material included.
 template <int Dim>
-int nStressPoints(const Patches<Dim>& patches) {
-    return patches.scheme == Integration::nodal ? patches.nNodes() : patches.nCells();
+int nStressPoints(const SmoothingDomains<Dim>& domains) {
+    return domains.scheme == Integration::nodal ? domains.nNodes() : domains.nCells();
 }
 
 /// Does point p belong to the material?
 template <int Dim>
-bool isStressPoint(const Patches<Dim>& patches, int p) {
-    return patches.scheme == Integration::elemental || patches.around->count(p) > 0;
+bool isStressPoint(const SmoothingDomains<Dim>& domains, int p) {
+    return domains.scheme == Integration::elemental || domains.around->count(p) > 0;
 }
 
 /// A cell of point p (the first around a node), for its material: bodies of different materials share no patch.
 template <int Dim>
-int cellOfPoint(const Patches<Dim>& patches, int p) {
-    return patches.scheme == Integration::nodal ? patches.around->cell[patches.around->start[p]] : p;
+int cellOfPoint(const SmoothingDomains<Dim>& domains, int p) {
+    return domains.scheme == Integration::nodal ? domains.around->cell[domains.around->start[p]] : p;
 }
 
 /// Omega of point p [m2 (2D), m3].
 template <int Dim>
-double pointVolume(const Patches<Dim>& patches, int p) {
-    return patches.scheme == Integration::nodal ? patches.volume[p] : patches.element[p].measure;
+double pointVolume(const SmoothingDomains<Dim>& domains, int p) {
+    return domains.scheme == Integration::nodal ? domains.volume[p] : domains.element[p].measure;
 }
 
 /// Mean of a nodal number over the nodes of cell e.
 template <int Dim>
-double cellMean(const Patches<Dim>& patches, const std::vector<double>& nodal, int e) {
+double cellMean(const SmoothingDomains<Dim>& domains, const std::vector<double>& nodal, int e) {
     double sum = 0;
-    for (int node : patches.cell(e)) sum += nodal[node] / (Dim + 1);
+    for (int node : domains.cell(e)) sum += nodal[node] / (Dim + 1);
     return sum;
 }
 
 /// A nodal number, such as the mesh size h, at point p.
 template <int Dim>
-double atPoint(const Patches<Dim>& patches, const std::vector<double>& nodal, int p) {
-    return patches.scheme == Integration::nodal ? nodal[p] : cellMean<Dim>(patches, nodal, p);
+double atPoint(const SmoothingDomains<Dim>& domains, const std::vector<double>& nodal, int p) {
+    return domains.scheme == Integration::nodal ? nodal[p] : cellMean<Dim>(domains, nodal, p);
 }
 
 /// An element field at the points: its mean over each patch.
 template <int Dim, class Value>
-std::vector<Value> toPoints(const Patches<Dim>& patches, std::vector<Value> element) {
-    if (patches.scheme == Integration::elemental) return element;
-    return nodalMean<Dim>(patches, element);
+std::vector<Value> toPoints(const SmoothingDomains<Dim>& domains, std::vector<Value> element) {
+    if (domains.scheme == Integration::elemental) return element;
+    return nodalMean<Dim>(domains, element);
 }
 
 /// The element field that has the force of a field on the points: sum_p Omega_p sigma_p G_pJ = sum_e |e| s_e grad N_J.
 template <int Dim, class Value>
-std::vector<Value> fromPoints(const Patches<Dim>& patches, std::vector<Value> point) {
-    if (patches.scheme == Integration::elemental) return point;
-    return elementMean<Dim>(patches, point);
+std::vector<Value> fromPoints(const SmoothingDomains<Dim>& domains, std::vector<Value> point) {
+    if (domains.scheme == Integration::elemental) return point;
+    return elementMean<Dim>(domains, point);
 }
 
 /// What is stored, as a field on the points. `cell` is empty in states of a nodal run: then the means of the nodes.
 template <int Dim, class Value>
-std::vector<Value> storedAtPoints(const Patches<Dim>& patches, const std::vector<Value>& nodal,
+std::vector<Value> storedAtPoints(const SmoothingDomains<Dim>& domains, const std::vector<Value>& nodal,
                                   const std::vector<Value>& cell) {
-    if (patches.scheme == Integration::nodal) return nodal;
-    return cell.empty() ? elementMean<Dim>(patches, nodal) : cell;
+    if (domains.scheme == Integration::nodal) return nodal;
+    return cell.empty() ? elementMean<Dim>(domains, nodal) : cell;
 }
 
 /// Store a field of the points: in `cell` what elements carry (empty for nodal), in `nodal` its value at the nodes.
 template <int Dim, class Value>
-void storeFromPoints(const Patches<Dim>& patches, std::vector<Value> point, std::vector<Value>& nodal,
+void storeFromPoints(const SmoothingDomains<Dim>& domains, std::vector<Value> point, std::vector<Value>& nodal,
                      std::vector<Value>& cell) {
-    if (patches.scheme == Integration::nodal) {
+    if (domains.scheme == Integration::nodal) {
         nodal = std::move(point);
         cell.clear();
     } else {
-        nodal = nodalMean<Dim>(patches, point);
+        nodal = nodalMean<Dim>(domains, point);
         cell = std::move(point);
     }
 }

@@ -114,7 +114,7 @@ void DissectedLdlt<Dim, Stored>::analyse(const SymmetricMatrix& A) {
             parts_[nParts > 1 ? part_[i] : 0].interior.push_back(i);
         }
     }
-    forAll(nParts, [&](int p) {
+    parallelTasks(nParts, [&](int p) {
         std::vector<int>& interior = parts_[p].interior;
         if (interior.empty()) return;
         Places<Dim> ofInterior;
@@ -130,7 +130,7 @@ void DissectedLdlt<Dim, Stored>::analyse(const SymmetricMatrix& A) {
 
 template <int Dim, class Stored>
 void DissectedLdlt<Dim, Stored>::factor(const SymmetricMatrix& A) {
-    forAll(static_cast<int>(parts_.size()), [&](int p) {
+    parallelTasks(static_cast<int>(parts_.size()), [&](int p) {
         Part& own = parts_[p];
         if (own.interior.empty()) return;
         own.shared.clear();
@@ -167,7 +167,7 @@ template <int Dim, class Stored>
 Eigen::VectorXd DissectedLdlt<Dim, Stored>::solve(const Eigen::VectorXd& b) const {
     const int nParts = static_cast<int>(parts_.size());
     std::vector<Eigen::VectorXd> own(nParts);
-    forAll(nParts, [&](int p) {
+    parallelTasks(nParts, [&](int p) {
         const Part& part = parts_[p];
         if (part.interior.empty()) return;
         own[p] = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(part.interior.size() + part.shared.size()));
@@ -187,7 +187,7 @@ Eigen::VectorXd DissectedLdlt<Dim, Stored>::solve(const Eigen::VectorXd& b) cons
 
     Eigen::VectorXd x(b.size());
     for (std::size_t k = 0; k < shared_.size(); ++k) x[shared_[k]] = shared[k];
-    forAll(nParts, [&](int p) {
+    parallelTasks(nParts, [&](int p) {
         const Part& part = parts_[p];
         if (part.interior.empty()) return;
         for (std::size_t k = 0; k < part.shared.size(); ++k) own[p][part.interior.size() + k] = shared[part.shared[k]];

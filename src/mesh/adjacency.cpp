@@ -114,7 +114,7 @@ std::vector<unsigned char> openFaces(const std::vector<Simplex<Dim>>& cells, con
         return false;
     };
     std::vector<unsigned char> open(cells.size() * (Dim + 1), 0);
-    forEach(static_cast<int>(cells.size()), [&](int e) {
+    parallelFor(static_cast<int>(cells.size()), [&](int e) {
         for (int k = 0; k <= Dim; ++k) open[e * (Dim + 1) + k] = !isShared(e, oppositeFace<Dim>(cells[e], k));
     });
     return open;

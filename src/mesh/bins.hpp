@@ -56,7 +56,7 @@ public:
 
     /// f(item) for everything in the bins touched by the box.
     template <class F>
-    void forEach(const Vec<Dim>& low, const Vec<Dim>& high, F&& f) const {
+    void parallelFor(const Vec<Dim>& low, const Vec<Dim>& high, F&& f) const {
         any(low, high, [&](int item) {
             f(item);
             return false;
@@ -67,7 +67,7 @@ public:
     template <class F>
     void forEachNear(const Vec<Dim>& x, double radius, F&& f) const {
         const Vec<Dim> r = Vec<Dim>::Constant(radius);
-        forEach(x - r, x + r, f);
+        parallelFor(x - r, x + r, f);
     }
 
 private:

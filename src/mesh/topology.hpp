@@ -79,7 +79,7 @@ struct Topology {
     bool wet(int node) const { return fluid.count(node) > 0; }
     bool isolated(int node) const { return !wet(node) && !onSolid[node] && !corner[node]; }
     bool interface(int node) const { return wet(node) && onSolid[node]; }
-    bool held(int node) const { return onSolid[node] || corner[node]; }  // a place that fluid comes to
+    bool onSolidOrCorner(int node) const { return onSolid[node] || corner[node]; }  // a place that fluid comes to
 };
 
 /// The wall face that all `nodes` lie on, as corners or sliding; -1 when there is none.

@@ -4,7 +4,7 @@
 
 #include "mesher/hilbertOrder.hpp"
 #include "mesher/wallLines.hpp"
-#include "walls/feet.hpp"
+#include "walls/tJunctions.hpp"
 
 namespace pfem {
 

@@ -121,7 +121,7 @@ void checkTouching(const Draft& draft, const Sides& sides, double meanSize) {
     for (const auto& face : outline) nodes.add(face[0], draft.x[face[0]], draft.x[face[0]]);
     for (const auto& [a, b] : outline) {
         const Vec<2> d = draft.x[b] - draft.x[a];
-        nodes.forEach(draft.x[a].cwiseMin(draft.x[b]), draft.x[a].cwiseMax(draft.x[b]), [&, a = a, b = b](int i) {
+        nodes.parallelFor(draft.x[a].cwiseMin(draft.x[b]), draft.x[a].cwiseMax(draft.x[b]), [&, a = a, b = b](int i) {
             const double s = (draft.x[i] - draft.x[a]).dot(d) / d.squaredNorm();
             if (i == a || i == b || s <= onLine || s >= 1 - onLine) return;
             if (segmentDistance(draft.x[i], draft.x[a], draft.x[b]) > onLine * std::min(meanSize, d.norm())) return;

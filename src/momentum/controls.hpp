@@ -4,7 +4,7 @@
 #include <string>
 
 #include "dictionary/entries.hpp"
-#include "integration/nodalPatches.hpp"
+#include "integration/smoothingDomains.hpp"
 
 namespace pfem {
 
@@ -17,7 +17,7 @@ struct IntegrationControls {
     template <class Visitor>
     void entries(Visitor& v) {
         v("integration", integration, "-",
-          "where fluids and solids have their stress: nodal (in patches of nodes; solids rather too soft) or elemental "
+          "where fluids and solids have their stress: nodal (in domains of nodes; solids rather too soft) or elemental "
           "(in "
           "triangles; solids rather too stiff)",
           oneOf({"nodal", "elemental"}));

@@ -8,21 +8,21 @@ FluidPhase<Dim>::FluidPhase(const Problem<Dim>& ofProblem, const Mesh<Dim>& mesh
     : problem(ofProblem),
       cells(mesh.fluid),
       pressure(nodes.p),
-      patches(makePatches<Dim>(mesh.fluid.nodes, around, nodes.x, scheme)),
+      domains(makeSmoothingDomains<Dim>(mesh.fluid.nodes, around, nodes.x, scheme)),
       newtonian(isNewtonian<Dim>(problem)),
-      viscosity(flowViscosity<Dim>(problem, cells, patches, nodes.v, nodes.p)),
-      mu(fromPoints<Dim>(patches, viscosity.mu)) {}
+      viscosity(flowViscosity<Dim>(problem, cells, domains, nodes.v, nodes.p)),
+      mu(fromPoints<Dim>(domains, viscosity.mu)) {}
 
 template <int Dim>
 void FluidPhase<Dim>::flow(const Points<Dim>& v) {
     if (newtonian) return;
-    viscosity = flowViscosity<Dim>(problem, cells, patches, v, pressure);
-    mu = fromPoints<Dim>(patches, viscosity.mu);
+    viscosity = flowViscosity<Dim>(problem, cells, domains, v, pressure);
+    mu = fromPoints<Dim>(domains, viscosity.mu);
 }
 
 template <int Dim>
 std::vector<double> FluidPhase<Dim>::tangent() const {
-    return newtonian ? mu : fromPoints<Dim>(patches, tangentViscosity<Dim>(viscosity));
+    return newtonian ? mu : fromPoints<Dim>(domains, tangentViscosity<Dim>(viscosity));
 }
 
 template struct FluidPhase<2>;

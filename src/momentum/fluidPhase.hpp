@@ -1,5 +1,5 @@
 #pragma once
-// The fluid of an iterate: its patches and its viscosity.
+// The fluid of an iterate: its domains and its viscosity.
 
 #include "momentum/fluidStress.hpp"
 
@@ -11,7 +11,7 @@ struct FluidPhase {
     const Problem<Dim>& problem;
     const Cells<Dim>& cells;
     const std::vector<double>& pressure;  // of the nodes, at the start of the step: what the viscosity of grains takes
-    Patches<Dim> patches;
+    SmoothingDomains<Dim> domains;
     bool newtonian;                // does the viscosity not depend on the flow?
     FlowViscosity<Dim> viscosity;  // of the stress points
     std::vector<double> mu;        // of the cells [Pa s]
@@ -20,8 +20,8 @@ struct FluidPhase {
     FluidPhase(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const NodeToCells& around, const Nodes<Dim>& nodes,
                Integration scheme);
 
-    /// The patches at x.
-    void moveTo(const Points<Dim>& x) { updatePatches<Dim>(patches, x); }
+    /// The domains at x.
+    void moveTo(const Points<Dim>& x) { updateSmoothingDomains<Dim>(domains, x); }
 
     /// The viscosity in the flow v, where it depends on it.
     void flow(const Points<Dim>& v);

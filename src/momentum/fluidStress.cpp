@@ -17,20 +17,21 @@ bool isNewtonian(const Problem<Dim>& problem) {
 }
 
 template <int Dim>
-FlowViscosity<Dim> flowViscosity(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
-                                 const Points<Dim>& v, const std::vector<double>& p) {
-    const int n = nStressPoints<Dim>(patches);
+FlowViscosity<Dim> flowViscosity(const Problem<Dim>& problem, const Cells<Dim>& cells,
+                                 const SmoothingDomains<Dim>& domains, const Points<Dim>& v,
+                                 const std::vector<double>& p) {
+    const int n = nStressPoints<Dim>(domains);
     FlowViscosity<Dim> result;
     result.mu.assign(n, 0.0);
     const bool depends = !isNewtonian<Dim>(problem);
     std::vector<double> g, pressure;
     if (depends) {
-        result.rate = toPoints<Dim>(patches, elementGradient<Dim>(patches, v));
+        result.rate = toPoints<Dim>(domains, elementGradient<Dim>(domains, v));
         result.softening.assign(n, 0.0);
         g.resize(n);
         pressure.resize(n);
     }
-    forMaterialRuns<Dim>(patches, cells, [&](int material, int first, int last) {
+    forMaterialRuns<Dim>(domains, cells, [&](int material, int first, int last) {
         const FluidLaw& law = *problem.fluid(material).law;
         if (!depends) {
             std::fill(result.mu.begin() + first, result.mu.begin() + last, law.viscosity(0, 0));
@@ -38,7 +39,7 @@ FlowViscosity<Dim> flowViscosity(const Problem<Dim>& problem, const Cells<Dim>& 
         }
         for (int i = first; i < last; ++i) {
             g[i] = shearRate<Dim>(result.rate[i]);
-            pressure[i] = atPoint<Dim>(patches, p, i);
+            pressure[i] = atPoint<Dim>(domains, p, i);
         }
         law.evaluate({runOf(std::as_const(g), first, last), runOf(std::as_const(pressure), first, last),
                       runOf(result.mu, first, last), runOf(result.softening, first, last)});
@@ -52,11 +53,11 @@ FlowViscosity<Dim> flowViscosity(const Problem<Dim>& problem, const Cells<Dim>& 
 }
 
 template <int Dim>
-std::vector<Tensor<Dim>> fluidTangentStress(const Patches<Dim>& patches, const FlowViscosity<Dim>& viscosity,
+std::vector<Tensor<Dim>> fluidTangentStress(const SmoothingDomains<Dim>& domains, const FlowViscosity<Dim>& viscosity,
                                             const Points<Dim>& dv, const std::vector<double>& bulk) {
-    auto stress = toPoints<Dim>(patches, elementGradient<Dim>(patches, dv));
-#pragma omp parallel for schedule(static) if (patches.nCells() > shortLoop)
-    for (int p = 0; p < nStressPoints<Dim>(patches); ++p) {
+    auto stress = toPoints<Dim>(domains, elementGradient<Dim>(domains, dv));
+#pragma omp parallel for schedule(static) if (domains.nCells() > shortLoop)
+    for (int p = 0; p < nStressPoints<Dim>(domains); ++p) {
         const Tensor<Dim> L = stress[p];
         stress[p] = viscousStress<Dim>(viscosity.mu[p], L);
         if (!viscosity.rate.empty()) {
@@ -66,13 +67,13 @@ std::vector<Tensor<Dim>> fluidTangentStress(const Patches<Dim>& patches, const F
         }
         if (!bulk.empty()) stress[p] += bulk[p] * L.trace() * Tensor<Dim>::Identity();
     }
-    return fromPoints<Dim>(patches, std::move(stress));
+    return fromPoints<Dim>(domains, std::move(stress));
 }
 
 template <int Dim>
-Points<Dim> viscousForce(const Patches<Dim>& patches, const std::vector<double>& mu, const Points<Dim>& v) {
-    Points<Dim> force(patches.nNodes(), Vec<Dim>::Zero());
-    addInternalForce<Dim>(patches, fluidTangentStress<Dim>(patches, {mu, {}, {}}, v, {}), force);
+Points<Dim> viscousForce(const SmoothingDomains<Dim>& domains, const std::vector<double>& mu, const Points<Dim>& v) {
+    Points<Dim> force(domains.nNodes(), Vec<Dim>::Zero());
+    addInternalForce<Dim>(domains, fluidTangentStress<Dim>(domains, {mu, {}, {}}, v, {}), force);
     return force;
 }
 
@@ -87,32 +88,32 @@ std::vector<double> tangentViscosity(const FlowViscosity<Dim>& viscosity) {
 }
 
 template <int Dim>
-Points<Dim> zigzagForce(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
+Points<Dim> zigzagForce(const Problem<Dim>& problem, const Cells<Dim>& cells, const SmoothingDomains<Dim>& domains,
                         double damping, const std::vector<double>& h, const Points<Dim>& v) {
-    Points<Dim> force(patches.nNodes(), Vec<Dim>::Zero());
+    Points<Dim> force(domains.nNodes(), Vec<Dim>::Zero());
     const double g = problem.gravity.norm();
-    if (damping == 0 || g == 0 || patches.nCells() == 0) return force;
-    auto L = elementGradient<Dim>(patches, v);
-    const auto nodal = withNodalPoints<Dim>(patches);
+    if (damping == 0 || g == 0 || domains.nCells() == 0) return force;
+    auto L = elementGradient<Dim>(domains, v);
+    const auto nodal = withNodalPoints<Dim>(domains);
     const auto mean = fromPoints<Dim>(nodal, toPoints<Dim>(nodal, L));
-    forEach(patches.nCells(), [&](int e) {
-        const double size = cellMean<Dim>(patches, h, e);
+    parallelFor(domains.nCells(), [&](int e) {
+        const double size = cellMean<Dim>(domains, h, e);
         const double mu = damping * problem.fluid(cells.material[e]).rho * size * std::sqrt(g * size);
         const Tensor<Dim> zigzag = L[e] - mean[e];
         L[e] = mu * (zigzag + zigzag.transpose());
     });
-    addInternalForce<Dim>(patches, L, force);
+    addInternalForce<Dim>(domains, L, force);
     return force;
 }
 
-template Points<2> zigzagForce<2>(const Problem<2>&, const Cells<2>&, const Patches<2>&, double,
+template Points<2> zigzagForce<2>(const Problem<2>&, const Cells<2>&, const SmoothingDomains<2>&, double,
                                   const std::vector<double>&, const Points<2>&);
 template bool isNewtonian<2>(const Problem<2>&);
 template std::vector<double> tangentViscosity<2>(const FlowViscosity<2>&);
-template FlowViscosity<2> flowViscosity<2>(const Problem<2>&, const Cells<2>&, const Patches<2>&, const Points<2>&,
-                                           const std::vector<double>&);
-template Points<2> viscousForce<2>(const Patches<2>&, const std::vector<double>&, const Points<2>&);
-template std::vector<Tensor<2>> fluidTangentStress<2>(const Patches<2>&, const FlowViscosity<2>&, const Points<2>&,
-                                                      const std::vector<double>&);
+template FlowViscosity<2> flowViscosity<2>(const Problem<2>&, const Cells<2>&, const SmoothingDomains<2>&,
+                                           const Points<2>&, const std::vector<double>&);
+template Points<2> viscousForce<2>(const SmoothingDomains<2>&, const std::vector<double>&, const Points<2>&);
+template std::vector<Tensor<2>> fluidTangentStress<2>(const SmoothingDomains<2>&, const FlowViscosity<2>&,
+                                                      const Points<2>&, const std::vector<double>&);
 
 }  // namespace pfem

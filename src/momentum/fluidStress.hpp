@@ -1,8 +1,8 @@
 #pragma once
-// Viscous stress of the fluid (35), nodal or elemental as its patches say.
+// Viscous stress of the fluid (35), nodal or elemental as its domains say.
 
+#include "conditions/problem.hpp"
 #include "integration/stressPoints.hpp"
-#include "state/problem.hpp"
 
 namespace pfem {
 
@@ -20,8 +20,9 @@ struct FlowViscosity {
 
 /// In the flow v with the nodal pressures p.
 template <int Dim>
-FlowViscosity<Dim> flowViscosity(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
-                                 const Points<Dim>& v, const std::vector<double>& p);
+FlowViscosity<Dim> flowViscosity(const Problem<Dim>& problem, const Cells<Dim>& cells,
+                                 const SmoothingDomains<Dim>& domains, const Points<Dim>& v,
+                                 const std::vector<double>& p);
 
 /// mu + g d mu/d g of the points: what resists a change of the flow in its own direction [Pa s].
 template <int Dim>
@@ -29,13 +30,13 @@ std::vector<double> tangentViscosity(const FlowViscosity<Dim>& viscosity);
 
 /// Nodal force of the points' viscous stress sigma = 2 mu d', d' = d - tr(d)/3 I [N/m (2D), N].
 template <int Dim>
-Points<Dim> viscousForce(const Patches<Dim>& patches, const std::vector<double>& mu, const Points<Dim>& v);
+Points<Dim> viscousForce(const SmoothingDomains<Dim>& domains, const std::vector<double>& mu, const Points<Dim>& v);
 
 /// Element stress with the force of the change of that stress with dv, plus `bulk` * tr(d) I per stress point (empty:
 /// none): the operator of the momentum matrix (42)-(43). With a viscosity that depends on the flow: 2 mu dd' +
 /// softening (d' : dd') d'.
 template <int Dim>
-std::vector<Tensor<Dim>> fluidTangentStress(const Patches<Dim>& patches, const FlowViscosity<Dim>& viscosity,
+std::vector<Tensor<Dim>> fluidTangentStress(const SmoothingDomains<Dim>& domains, const FlowViscosity<Dim>& viscosity,
                                             const Points<Dim>& dv, const std::vector<double>& bulk);
 
 /// Force of a viscosity mu_z = damping rho h sqrt(g h) that acts on velocities which alternate from node to node, and
@@ -44,7 +45,7 @@ std::vector<Tensor<Dim>> fluidTangentStress(const Patches<Dim>& patches, const F
 /// Zero for linear velocities; it only takes energy. A wave of length l loses by some damping sqrt(g/h) (h/l)^4: short
 /// ones die, long ones do not notice it.
 template <int Dim>
-Points<Dim> zigzagForce(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
+Points<Dim> zigzagForce(const Problem<Dim>& problem, const Cells<Dim>& cells, const SmoothingDomains<Dim>& domains,
                         double damping, const std::vector<double>& h, const Points<Dim>& v);
 
 }  // namespace pfem

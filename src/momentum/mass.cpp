@@ -22,20 +22,21 @@ std::vector<double> nodalShares(const Cells<Dim>& cells, const Points<Dim>& x, D
 }  // namespace
 
 template <int Dim>
-std::vector<double> fluidMass(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches) {
-    const NodeToCells& around = *patches.around;
-    std::vector<double> mass(patches.nNodes(), 0.0);
+std::vector<double> fluidMass(const Problem<Dim>& problem, const Cells<Dim>& cells,
+                              const SmoothingDomains<Dim>& domains) {
+    const NodeToCells& around = *domains.around;
+    std::vector<double> mass(domains.nNodes(), 0.0);
     const auto isFluid = [](const Material& m) { return m.kind == MaterialKind::fluid; };
     if (std::count_if(problem.materials.begin(), problem.materials.end(), isFluid) == 1) {
         const double rho = std::find_if(problem.materials.begin(), problem.materials.end(), isFluid)->fluid.rho;
-        forEach(patches.nNodes(), [&](int i) { mass[i] = rho * patches.volume[i]; });
+        parallelFor(domains.nNodes(), [&](int i) { mass[i] = rho * domains.volume[i]; });
         return mass;
     }
 #pragma omp parallel for schedule(static) if (cells.size() > shortLoop)
-    for (int i = 0; i < patches.nNodes(); ++i) {
+    for (int i = 0; i < domains.nNodes(); ++i) {
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
             const int e = around.cell[s];
-            mass[i] += problem.fluid(cells.material[e]).rho * patches.element[e].measure;
+            mass[i] += problem.fluid(cells.material[e]).rho * domains.element[e].measure;
         }
         mass[i] /= Dim + 1;
     }
@@ -53,7 +54,7 @@ std::vector<double> solidMass(const Problem<Dim>& problem, const Cells<Dim>& cel
 }
 
 template std::vector<double> fluidMass<2>(const Problem<2>&, const Cells<2>&, const Points<2>&);
-template std::vector<double> fluidMass<2>(const Problem<2>&, const Cells<2>&, const Patches<2>&);
+template std::vector<double> fluidMass<2>(const Problem<2>&, const Cells<2>&, const SmoothingDomains<2>&);
 template std::vector<double> solidMass<2>(const Problem<2>&, const Cells<2>&, const Points<2>&);
 
 }  // namespace pfem

@@ -1,16 +1,17 @@
 #pragma once
 // Lumped nodal masses.
 
-#include "integration/nodalPatches.hpp"
-#include "state/problem.hpp"
+#include "conditions/problem.hpp"
+#include "integration/smoothingDomains.hpp"
 
 namespace pfem {
 
-/// sum_e rho_e |e|/(d+1) over the fluid around each node, in the configuration of the patches [kg/m (2D), kg].
+/// sum_e rho_e |e|/(d+1) over the fluid around each node, in the configuration of the domains [kg/m (2D), kg].
 template <int Dim>
-std::vector<double> fluidMass(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches);
+std::vector<double> fluidMass(const Problem<Dim>& problem, const Cells<Dim>& cells,
+                              const SmoothingDomains<Dim>& domains);
 
-/// The same in positions x, where there are no patches.
+/// The same in positions x, where there are no domains.
 template <int Dim>
 std::vector<double> fluidMass(const Problem<Dim>& problem, const Cells<Dim>& cells, const Points<Dim>& x);
 

@@ -26,7 +26,7 @@ std::array<double, Dim> meniscusPressure(const Problem<Dim>& problem, double rho
     Vec<Dim> sum = Vec<Dim>::Zero();
     int free = 0;
     for (const int i : face) {
-        if (topology.held(i)) continue;
+        if (topology.onSolidOrCorner(i)) continue;
         sum += nodes.x[i];
         ++free;
     }
@@ -35,7 +35,7 @@ std::array<double, Dim> meniscusPressure(const Problem<Dim>& problem, double rho
     const double calm = calmness<Dim>(g, nodes, face);
     for (int k = 0; k < Dim; ++k) {
         const int i = face[k];
-        if (!topology.held(i)) continue;
+        if (!topology.onSolidOrCorner(i)) continue;
         const double most = rho * g * nodes.h[i];
         p[k] = calm * std::clamp(rho * problem.gravity.dot(nodes.x[i] - sum / free), -most, most);
     }
@@ -53,7 +53,7 @@ void addMeniscus(const Problem<Dim>& problem, const Cells<Dim>& fluid, const Top
             if (p[k] == 0) continue;
             const Vec<Dim> share = p[k] / (Dim * (Dim + 1)) * faceArea<Dim>(nodes.x, face.nodes);
             for (const int free : face.nodes) {
-                if (topology.held(free)) continue;
+                if (topology.onSolidOrCorner(free)) continue;
                 force[free] -= share;
                 force[face.nodes[k]] += share;
             }
@@ -66,12 +66,12 @@ double meniscusWork(const Problem<Dim>& problem, const Cells<Dim>& fluid, const 
                     const Nodes<Dim>& old, const Nodes<Dim>& now, double gamma) {
     Nodes<Dim> middle = old;
     Points<Dim> force(old.x.size(), Vec<Dim>::Zero());
-    forEach(old.size(), [&](int i) {
+    parallelFor(old.size(), [&](int i) {
         middle.x[i] = (1 - gamma) * old.x[i] + gamma * now.x[i];
         middle.v[i] = (1 - gamma) * old.v[i] + gamma * now.v[i];
     });
     addMeniscus<Dim>(problem, fluid, topology, middle, force);
-    return sumOver(old.size(), [&](int i) { return force[i].dot(now.x[i] - old.x[i]); });
+    return parallelSum(old.size(), [&](int i) { return force[i].dot(now.x[i] - old.x[i]); });
 }
 
 template std::array<double, 2> meniscusPressure<2>(const Problem<2>&, double, const Topology<2>&, const Nodes<2>&,

@@ -8,7 +8,7 @@
 
 #include <array>
 
-#include "state/problem.hpp"
+#include "conditions/problem.hpp"
 
 namespace pfem {
 

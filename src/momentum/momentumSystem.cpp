@@ -15,22 +15,22 @@ namespace {
 /// rho h^2/dt with h^2 = Omega^{2/Dim}: an acoustic Courant number of one at each stress point [Pa s].
 template <int Dim>
 std::vector<double> localBulk(const FluidPhase<Dim>& fluid, double dt) {
-    const Patches<Dim>& patches = fluid.patches;
-    std::vector<double> bulk(nStressPoints<Dim>(patches), 0.0);
-    for (int p = 0; p < nStressPoints<Dim>(patches); ++p) {
-        if (!isStressPoint<Dim>(patches, p)) continue;
-        const double rho = fluid.problem.fluid(fluid.cells.material[cellOfPoint<Dim>(patches, p)]).rho;
-        bulk[p] = rho * std::pow(pointVolume<Dim>(patches, p), 2.0 / Dim) / dt;
+    const SmoothingDomains<Dim>& domains = fluid.domains;
+    std::vector<double> bulk(nStressPoints<Dim>(domains), 0.0);
+    for (int p = 0; p < nStressPoints<Dim>(domains); ++p) {
+        if (!isStressPoint<Dim>(domains, p)) continue;
+        const double rho = fluid.problem.fluid(fluid.cells.material[cellOfPoint<Dim>(domains, p)]).rho;
+        bulk[p] = rho * std::pow(pointVolume<Dim>(domains, p), 2.0 / Dim) / dt;
     }
     return bulk;
 }
 
 /// About the diagonal of the viscous matrix: at most sum_e 2 mu |e| |grad N_I|^2.
 template <int Dim>
-std::vector<double> viscousDiagonal(const Patches<Dim>& fluid, const std::vector<double>& cellMu) {
+std::vector<double> viscousDiagonal(const SmoothingDomains<Dim>& fluid, const std::vector<double>& cellMu) {
     std::vector<double> diagonal(fluid.nNodes(), 0.0);
     const NodeToCells& around = *fluid.around;
-    forEach(fluid.nNodes(), [&](int i) {
+    parallelFor(fluid.nNodes(), [&](int i) {
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
             const auto& g = fluid.element[around.cell[s]];
             diagonal[i] += 2 * cellMu[around.cell[s]] * g.measure * g.gradN[around.corner[s]].squaredNorm();
@@ -67,7 +67,7 @@ Ratios viscousRatios(const std::vector<double>& viscous, const std::vector<doubl
 
 /// One value for all points: mean diagonal of the mass matrix over that of sum_e |e| grad N_I . grad N_I / Dim.
 template <int Dim>
-std::vector<double> meanBulk(const Patches<Dim>& fluid, const std::vector<double>& inertia) {
+std::vector<double> meanBulk(const SmoothingDomains<Dim>& fluid, const std::vector<double>& inertia) {
     double massSum = 0, gradientSum = 0;
     for (int i = 0; i < fluid.nNodes(); ++i) massSum += inertia[i];
     for (const auto& g : fluid.element)
@@ -93,38 +93,38 @@ MomentumSystem<Dim>::MomentumSystem(const Step<Dim>& step, const MomentumControl
     }
     const Topology<Dim>& topology = step.topology;
     for (int i = 0; i < topology.nNodes(); ++i) {
-        const bool moves = constraints_.hold[i] == Hold::free || constraints_.hold[i] == Hold::slide;
+        const bool moves = constraints_.type[i] == Constraint::free || constraints_.type[i] == Constraint::slide;
         moving_[i] = topology.wet(i) && !topology.onSolid[i] && moves;
     }
     setInertia(inertia);
     updateViscosity();
     if (controls_.theta > 0) {
         bulk_ =
-            controls_.bulkRule == "local" ? localBulk<Dim>(fluid, step.dt()) : meanBulk<Dim>(fluid.patches, diagonal_);
+            controls_.bulkRule == "local" ? localBulk<Dim>(fluid, step.dt()) : meanBulk<Dim>(fluid.domains, diagonal_);
         for (double& value : bulk_) value *= controls_.theta;
     }
 }
 
 template <int Dim>
 void MomentumSystem<Dim>::updateViscosity() {
-    viscousDiagonal_ = viscousDiagonal<Dim>(fluid_.patches, fluid_.mu);
+    viscousDiagonal_ = viscousDiagonal<Dim>(fluid_.domains, fluid_.mu);
     const Ratios ratios = viscousRatios(viscousDiagonal_, diagonal_);
     viscousNumber_ = ratios.typical;
     // light nodes on flat triangles do not make the whole fluid a thick one as long as the diagonal alone converges
     // there
     viscous_ =
         controls_.theta > 0 || ratios.typical > controls_.viscousLimit || ratios.largest > 30 * controls_.viscousLimit;
-    forEach(static_cast<int>(diagonal_.size()), [&](int i) {
+    parallelFor(static_cast<int>(diagonal_.size()), [&](int i) {
         if (!viscous_ && viscousDiagonal_[i] <= controls_.viscousLimit * diagonal_[i]) viscousDiagonal_[i] = 0;
     });
 }
 
 template <int Dim>
 void MomentumSystem<Dim>::setInertia(const Points<Dim>& inertia) {
-    forEach(static_cast<int>(inertia.size()), [&](int i) {
+    parallelFor(static_cast<int>(inertia.size()), [&](int i) {
         if (!moving_[i]) return;
         inertia_[i] = inertia[i];
-        if (constraints_.hold[i] == Hold::slide) {  // the mean over the directions in which it can move
+        if (constraints_.type[i] == Constraint::slide) {  // the mean over the directions in which it can move
             const Vec<Dim> free = Vec<Dim>::Ones() - constraints_.normal[i].cwiseAbs2();
             inertia_[i].setConstant(inertia[i].dot(free) / (Dim - 1));
         }
@@ -153,7 +153,7 @@ void MomentumSystem<Dim>::scatter(const Eigen::VectorXd& u, Points<Dim>& r) cons
 template <int Dim>
 Points<Dim> MomentumSystem<Dim>::restricted(const Points<Dim>& r) const {
     Points<Dim> result(r.size(), Vec<Dim>::Zero());
-    forEach(static_cast<int>(r.size()), [&](int i) {
+    parallelFor(static_cast<int>(r.size()), [&](int i) {
         if (diagonal_[i] > 0 || solid_.dofs.local[i] >= 0) result[i] = constraints_.project(i, r[i]);
     });
     return result;
@@ -164,7 +164,7 @@ Points<Dim> MomentumSystem<Dim>::apply(const Points<Dim>& u) const {
     Points<Dim> y(u.size(), Vec<Dim>::Zero());
     for (std::size_t i = 0; i < u.size(); ++i) y[i] = inertia_[i].cwiseProduct(u[i]);
     if (viscous_)
-        addInternalForce<Dim>(fluid_.patches, fluidTangentStress<Dim>(fluid_.patches, fluid_.viscosity, u, bulk_), y);
+        addInternalForce<Dim>(fluid_.domains, fluidTangentStress<Dim>(fluid_.domains, fluid_.viscosity, u, bulk_), y);
     if (solid_.dofs.n > 0) scatter(solid_.matrix.multiply(gather(u)), y);
     return restricted(y);
 }
@@ -173,7 +173,7 @@ template <int Dim>
 Points<Dim> MomentumSystem<Dim>::precondition(const Points<Dim>& r) const {
     Points<Dim> z(r.size(), Vec<Dim>::Zero());
     // projected again: the round-off of a large wall reaction must not become a direction
-    forEach(static_cast<int>(r.size()), [&](int i) {
+    parallelFor(static_cast<int>(r.size()), [&](int i) {
         if (diagonal_[i] > 0)
             z[i] = constraints_.project(i, r[i]).cwiseQuotient(inertia_[i] + Vec<Dim>::Constant(viscousDiagonal_[i]));
     });
@@ -184,7 +184,7 @@ Points<Dim> MomentumSystem<Dim>::precondition(const Points<Dim>& r) const {
 template <int Dim>
 Points<Dim> MomentumSystem<Dim>::solve(const Points<Dim>& residual) {
     Points<Dim> r = residual;
-    forEach(static_cast<int>(r.size()), [&](int i) { r[i] = -r[i]; });
+    parallelFor(static_cast<int>(r.size()), [&](int i) { r[i] = -r[i]; });
     r = restricted(r);
     iterations_ = 1;
     if (!viscous_) return precondition(r);  // the diagonal will do

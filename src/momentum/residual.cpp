@@ -9,8 +9,8 @@ namespace pfem {
 
 template <int Dim>
 std::vector<double> nodalMass(const FluidPhase<Dim>& fluid, const SolidPhase<Dim>& solid) {
-    auto mass = fluidMass<Dim>(fluid.problem, fluid.cells, fluid.patches);
-    forEach(static_cast<int>(mass.size()), [&](int i) { mass[i] += solid.mass[i]; });
+    auto mass = fluidMass<Dim>(fluid.problem, fluid.cells, fluid.domains);
+    parallelFor(static_cast<int>(mass.size()), [&](int i) { mass[i] += solid.mass[i]; });
     return mass;
 }
 
@@ -31,15 +31,15 @@ Points<Dim> externalForce(const Mesh<Dim>& mesh, const Topology<Dim>& topology, 
     auto force = tractionForce<Dim>(mesh, fluid.problem.conditions, nodes.x);
     addMeniscus<Dim>(fluid.problem, mesh.fluid, topology, nodes, force);
     addWallFriction<Dim>(fluid.problem, mesh.fluid, topology, nodes, force);
-    addSideFriction<Dim>(fluid.problem, mesh.fluid, fluid.patches, nodes.v, force);
+    addSideFriction<Dim>(fluid.problem, mesh.fluid, fluid.domains, nodes.v, force);
     return force;
 }
 
 template <int Dim>
 Points<Dim> viscousForces(const FluidPhase<Dim>& fluid, double waveDamping, const Nodes<Dim>& nodes) {
-    auto force = viscousForce<Dim>(fluid.patches, fluid.viscosity.mu, nodes.v);
-    const auto zigzag = zigzagForce<Dim>(fluid.problem, fluid.cells, fluid.patches, waveDamping, nodes.h, nodes.v);
-    forEach(nodes.size(), [&](int i) { force[i] += zigzag[i]; });
+    auto force = viscousForce<Dim>(fluid.domains, fluid.viscosity.mu, nodes.v);
+    const auto zigzag = zigzagForce<Dim>(fluid.problem, fluid.cells, fluid.domains, waveDamping, nodes.h, nodes.v);
+    parallelFor(nodes.size(), [&](int i) { force[i] += zigzag[i]; });
     return force;
 }
 
@@ -48,11 +48,11 @@ Points<Dim> momentumResidual(const std::vector<double>& mass, const Nodes<Dim>& 
                              const SolidPhase<Dim>& solid, const Points<Dim>& external, double share) {
     const Vec<Dim>& gravity = fluid.problem.gravity;
     Points<Dim> R(nodes.size());
-    forEach(nodes.size(), [&](int i) { R[i] = mass[i] * (nodes.a[i] - gravity) - external[i]; });
-    addPressureForce<Dim>(fluid.patches, nodes.p, R);
+    parallelFor(nodes.size(), [&](int i) { R[i] = mass[i] * (nodes.a[i] - gravity) - external[i]; });
+    addPressureForce<Dim>(fluid.domains, nodes.p, R);
     auto stress = solid.elementStress;
     for (auto& sigma : stress) sigma *= share;
-    addInternalForce<Dim>(solid.patches, stress, R);
+    addInternalForce<Dim>(solid.domains, stress, R);
     return R;
 }
 

@@ -6,7 +6,7 @@
 
 namespace pfem {
 
-/// Mass of the solids (constant) plus that of the fluid in the configuration of its patches [kg/m (2D), kg].
+/// Mass of the solids (constant) plus that of the fluid in the configuration of its domains [kg/m (2D), kg].
 template <int Dim>
 std::vector<double> nodalMass(const FluidPhase<Dim>& fluid, const SolidPhase<Dim>& solid);
 

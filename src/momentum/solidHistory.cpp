@@ -23,17 +23,17 @@ std::vector<int> historyColumns(const SolidLaw& law, const std::vector<std::stri
 }
 
 template <int Dim>
-History historyAtPoints(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
+History historyAtPoints(const Problem<Dim>& problem, const Cells<Dim>& cells, const SmoothingDomains<Dim>& domains,
                         const History& nodal) {
     History history{historyNames<Dim>(problem), {}};
     if (history.empty()) return history;
-    History stored = storedHistory<Dim>(patches, nodal, cells.history);
+    History stored = storedHistory<Dim>(domains, nodal, cells.history);
     if (stored.names == history.names) return stored;
-    const int n = nStressPoints<Dim>(patches);
+    const int n = nStressPoints<Dim>(domains);
     history.resize(n);
     for (int p = 0; p < n; ++p) {
-        if (!isStressPoint<Dim>(patches, p)) continue;
-        const SolidLaw& law = *problem.solid(cells.material[cellOfPoint<Dim>(patches, p)]).law;
+        if (!isStressPoint<Dim>(domains, p)) continue;
+        const SolidLaw& law = *problem.solid(cells.material[cellOfPoint<Dim>(domains, p)]).law;
         const auto columns = historyColumns(law, history.names);
         const auto start = law.historyAtStart();
         for (std::size_t k = 0; k < columns.size(); ++k) history.at(p, columns[k]) = start[k];
@@ -46,6 +46,6 @@ History historyAtPoints(const Problem<Dim>& problem, const Cells<Dim>& cells, co
 }
 
 template std::vector<std::string> historyNames<2>(const Problem<2>&);
-template History historyAtPoints<2>(const Problem<2>&, const Cells<2>&, const Patches<2>&, const History&);
+template History historyAtPoints<2>(const Problem<2>&, const Cells<2>&, const SmoothingDomains<2>&, const History&);
 
 }  // namespace pfem

@@ -1,8 +1,8 @@
 #pragma once
 // What the laws of the solids remember, at the stress points.
 
+#include "conditions/problem.hpp"
 #include "integration/pointHistory.hpp"
-#include "state/problem.hpp"
 
 namespace pfem {
 
@@ -16,7 +16,7 @@ std::vector<int> historyColumns(const SolidLaw& law, const std::vector<std::stri
 /// The stored history at the stress points; what is not stored there (yet) is as at the start. `cell` is empty in
 /// states of a nodal run: then the means of the nodes.
 template <int Dim>
-History historyAtPoints(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
+History historyAtPoints(const Problem<Dim>& problem, const Cells<Dim>& cells, const SmoothingDomains<Dim>& domains,
                         const History& nodal);
 
 }  // namespace pfem

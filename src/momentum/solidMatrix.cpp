@@ -60,13 +60,13 @@ void addStiffness(SymmetricMatrix& A, const SolidDofs<Dim>& dofs, const Moduli& 
         }
 }
 
-/// Pattern: nodes that share a stress point (nodal patches: two rings of the mesh).
+/// Pattern: nodes that share a stress point (nodal domains: two rings of the mesh).
 template <int Dim>
-SymmetricMatrix emptySolidMatrix(const Patches<Dim>& patches, const SolidDofs<Dim>& dofs) {
+SymmetricMatrix emptySolidMatrix(const SmoothingDomains<Dim>& domains, const SolidDofs<Dim>& dofs) {
     std::vector<std::vector<int>> lower(dofs.node.size());  // by local nodes
-    for (int p = 0; p < nStressPoints<Dim>(patches); ++p) {
-        if (!isStressPoint<Dim>(patches, p)) continue;
-        const GradientRow<Dim> row = pointRow<Dim>(patches, p);
+    for (int p = 0; p < nStressPoints<Dim>(domains); ++p) {
+        if (!isStressPoint<Dim>(domains, p)) continue;
+        const GradientRow<Dim> row = pointRow<Dim>(domains, p);
         for (int a : row.nodes)
             for (int b : row.nodes)
                 if (dofs.local[b] >= 0 && dofs.local[a] > dofs.local[b]) lower[dofs.local[b]].push_back(dofs.local[a]);
@@ -97,8 +97,8 @@ SolidDofs<Dim> solidDofs(const NodeToCells& solid, const NodeConstraints<Dim>& c
     dofs.count.assign(n, 0);
     dofs.local.assign(n, -1);
     for (int i = 0; i < n; ++i) {
-        if (solid.count(i) == 0 || constraints.hold[i] == Hold::fixed) continue;
-        const bool slides = constraints.hold[i] == Hold::slide;
+        if (solid.count(i) == 0 || constraints.type[i] == Constraint::fixed) continue;
+        const bool slides = constraints.type[i] == Constraint::slide;
         dofs.local[i] = static_cast<int>(dofs.node.size());
         dofs.node.push_back(i);
         dofs.basis.push_back(slides ? tangentBasis<Dim>(constraints.normal[i]) : Tensor<Dim>::Identity());
@@ -111,33 +111,33 @@ SolidDofs<Dim> solidDofs(const NodeToCells& solid, const NodeConstraints<Dim>& c
 
 template <int Dim>
 SymmetricMatrix solidMatrix(const Problem<Dim>& problem, const SolidControls& controls, const Cells<Dim>& cells,
-                            const Patches<Dim>& patches, const SolidDofs<Dim>& dofs, const Points<Dim>& inertia,
-                            const std::vector<double>& h, const MidpointRule& midpoint) {
+                            const SmoothingDomains<Dim>& domains, const SolidDofs<Dim>& dofs,
+                            const Points<Dim>& inertia, const std::vector<double>& h, const MidpointRule& midpoint) {
     const bool withPressure = controls.withPressure();
-    SymmetricMatrix A = emptySolidMatrix<Dim>(withPressure ? withNodalPoints<Dim>(patches) : patches, dofs);
+    SymmetricMatrix A = emptySolidMatrix<Dim>(withPressure ? withNodalPoints<Dim>(domains) : domains, dofs);
     for (std::size_t k = 0; k < dofs.node.size(); ++k)
         for (int c = 0; c < dofs.count[dofs.node[k]]; ++c) {
             const int unknown = dofs.first[dofs.node[k]] + c;
             A.add(unknown, unknown, inertia[dofs.node[k]].dot(dofs.basis[k].col(c).cwiseAbs2()));
         }
 
-    for (int p = 0; p < nStressPoints<Dim>(patches); ++p) {
-        if (!isStressPoint<Dim>(patches, p)) continue;
-        const Solid& material = solidMaterial<Dim>(problem, cells, patches, p);
+    for (int p = 0; p < nStressPoints<Dim>(domains); ++p) {
+        if (!isStressPoint<Dim>(domains, p)) continue;
+        const Solid& material = solidMaterial<Dim>(problem, cells, domains, p);
         const double tangent = strainTime(material, midpoint.dt);
-        const auto row = pointRow<Dim>(patches, p);
+        const auto row = pointRow<Dim>(domains, p);
         Moduli moduli = elastic(material, tangent);
         if (withPressure) moduli.lambda -= tangent * material.law->volumeModulus();
-        const double tau = dampingTime(material, controls.damping, atPoint<Dim>(patches, h, p));
+        const double tau = dampingTime(material, controls.damping, atPoint<Dim>(domains, h, p));
         addStiffness<Dim>(A, dofs, moduli + elastic(material, -tau), row);
     }
-    for (int e = 0; e < patches.nCells(); ++e) {
+    for (int e = 0; e < domains.nCells(); ++e) {
         const Solid& material = problem.solid(cells.material[e]);
-        const double tau = dampingTime(material, controls.damping, cellMean<Dim>(patches, h, e));
-        addStiffness<Dim>(A, dofs, elastic(material, tau), elementRow<Dim>(patches, e));
+        const double tau = dampingTime(material, controls.damping, cellMean<Dim>(domains, h, e));
+        addStiffness<Dim>(A, dofs, elastic(material, tau), elementRow<Dim>(domains, e));
     }
     if (!withPressure) return A;
-    const auto atNodes = withNodalPoints<Dim>(patches);
+    const auto atNodes = withNodalPoints<Dim>(domains);
     for (int i = 0; i < atNodes.nNodes(); ++i)
         if (isStressPoint<Dim>(atNodes, i)) {
             const Solid& material = solidMaterial<Dim>(problem, cells, atNodes, i);
@@ -147,10 +147,10 @@ SymmetricMatrix solidMatrix(const Problem<Dim>& problem, const SolidControls& co
     return A;
 }
 
-#define PFEM_INSTANTIATE(D)                                                                           \
-    template SolidDofs<D> solidDofs<D>(const NodeToCells&, const NodeConstraints<D>&);                \
-    template SymmetricMatrix solidMatrix<D>(const Problem<D>&, const SolidControls&, const Cells<D>&, \
-                                            const Patches<D>&, const SolidDofs<D>&, const Points<D>&, \
+#define PFEM_INSTANTIATE(D)                                                                                    \
+    template SolidDofs<D> solidDofs<D>(const NodeToCells&, const NodeConstraints<D>&);                         \
+    template SymmetricMatrix solidMatrix<D>(const Problem<D>&, const SolidControls&, const Cells<D>&,          \
+                                            const SmoothingDomains<D>&, const SolidDofs<D>&, const Points<D>&, \
                                             const std::vector<double>&, const MidpointRule&);
 PFEM_INSTANTIATE(2)
 

@@ -1,11 +1,11 @@
 #pragma once
 // The assembled momentum matrix of the solid nodes, interface included (41)-(42).
 
+#include "conditions/problem.hpp"
 #include "integration/midpointRule.hpp"
 #include "integration/stressPoints.hpp"
 #include "linear/symmetricMatrix.hpp"
 #include "momentum/controls.hpp"
-#include "state/problem.hpp"
 
 namespace pfem {
 
@@ -33,10 +33,10 @@ SolidDofs<Dim> solidDofs(const NodeToCells& solid, const NodeConstraints<Dim>& c
 /// A_s = inertia (surfaceStiffness.hpp) + (c - tau_s) K_points + tau_s K_element,  K = sum Omega G^T C G,
 /// c = dt (laws of the kind endPoint) or dt/2; the inertia of solid and fluid together. With elemental integration both
 /// K are one. velocityPressure: c K_points has C less its volumetric part alone (deviatoric for laws in rates), the
-/// nodal patches give that, volumeModulus I (x) I.
+/// nodal domains give that, volumeModulus I (x) I.
 template <int Dim>
 SymmetricMatrix solidMatrix(const Problem<Dim>& problem, const SolidControls& controls, const Cells<Dim>& cells,
-                            const Patches<Dim>& patches, const SolidDofs<Dim>& dofs, const Points<Dim>& inertia,
-                            const std::vector<double>& h, const MidpointRule& midpoint);
+                            const SmoothingDomains<Dim>& domains, const SolidDofs<Dim>& dofs,
+                            const Points<Dim>& inertia, const std::vector<double>& h, const MidpointRule& midpoint);
 
 }  // namespace pfem

@@ -10,17 +10,17 @@ SolidPhase<Dim>::SolidPhase(const Problem<Dim>& ofProblem, const SolidControls& 
     : problem(ofProblem),
       controls(withControls),
       cells(mesh.solid),
-      patches(makePatches<Dim>(cells.nodes, around, nodes.x, scheme)),
-      gradients(patches),
+      domains(makeSmoothingDomains<Dim>(cells.nodes, around, nodes.x, scheme)),
+      gradients(domains),
       mass(solidMass<Dim>(problem, cells, nodes.X)),
-      elementStress(storedElementStress<Dim>(problem, controls, cells, patches, nodes)) {}
+      elementStress(storedElementStress<Dim>(problem, controls, cells, domains, nodes)) {}
 
 template <int Dim>
 void SolidPhase<Dim>::moveTo(const Nodes<Dim>& old, const Nodes<Dim>& end, double dt) {
-    updatePatches<Dim>(patches, end.x);
-    updateGradientPatches<Dim>(problem, cells, old, end, gradients);
+    updateSmoothingDomains<Dim>(domains, end.x);
+    updateGradientDomains<Dim>(problem, cells, old, end, gradients);
     stress = solidStress<Dim>(problem, controls, cells, gradients, old, end, dt);
-    elementStress = solidElementStress<Dim>(problem, controls, cells, gradients, patches, stress, end);
+    elementStress = solidElementStress<Dim>(problem, controls, cells, gradients, domains, stress, end);
 }
 
 template struct SolidPhase<2>;

@@ -1,5 +1,5 @@
 #pragma once
-// The solids of an iterate: patches, mass, stress.
+// The solids of an iterate: domains, mass, stress.
 
 #include "momentum/solidStress.hpp"
 #include "momentum/trial.hpp"
@@ -12,8 +12,8 @@ struct SolidPhase {
     const Problem<Dim>& problem;
     const SolidControls& controls;
     const Cells<Dim>& cells;
-    Patches<Dim> patches;                    // at the end of the step
-    Patches<Dim> gradients;                  // at the positions that the stress update asks for
+    SmoothingDomains<Dim> domains;           // at the end of the step
+    SmoothingDomains<Dim> gradients;         // at the positions that the stress update asks for
     std::vector<double> mass;                // of the nodes, constant
     SolidStress<Dim> stress;                 // sigma^{n+1}
     std::vector<Tensor<Dim>> elementStress;  // whose force is that of `stress` and of the damper

@@ -58,7 +58,7 @@ Points<Dim> gradientPositions(Kinematics kind, const Nodes<Dim>& old, const Node
     if (kind == Kinematics::endPoint) return trial.x;
     if (kind == Kinematics::reference) return trial.X;
     Points<Dim> middle(old.x.size());
-    forEach(old.size(), [&](int i) { middle[i] = 0.5 * (old.x[i] + trial.x[i]); });
+    parallelFor(old.size(), [&](int i) { middle[i] = 0.5 * (old.x[i] + trial.x[i]); });
     return middle;
 }
 
@@ -68,17 +68,17 @@ Points<Dim> gradientField(Kinematics kind, const Nodes<Dim>& old, const Nodes<Di
     if (kind == Kinematics::endPoint) return trial.v;
     if (kind == Kinematics::reference) return trial.x;
     Points<Dim> increment(old.x.size());
-    forEach(old.size(), [&](int i) {  // x - x^n without its cancellation
+    parallelFor(old.size(), [&](int i) {  // x - x^n without its cancellation
         increment[i] = 0.5 * dt * (old.v[i] + trial.v[i]);
     });
     return increment;
 }
 
-/// Element stress with the force of the energy sum_p Omega_p W(F_p), F_p over the reference patches: the mean of the
+/// Element stress with the force of the energy sum_p Omega_p W(F_p), F_p over the reference domains: the mean of the
 /// points' first Piola stress, carried to the current element by its own F_e. For elements: sigma itself.
 template <int Dim>
-std::vector<Tensor<Dim>> hyperelasticElementStress(const Patches<Dim>& reference, const std::vector<Stress<Dim>>& sigma,
-                                                   const Points<Dim>& x) {
+std::vector<Tensor<Dim>> hyperelasticElementStress(const SmoothingDomains<Dim>& reference,
+                                                   const std::vector<Stress<Dim>>& sigma, const Points<Dim>& x) {
     const auto F = elementGradient<Dim>(reference, x);
     const auto pointF = toPoints<Dim>(reference, F);
     std::vector<Tensor<Dim>> P(sigma.size(), Tensor<Dim>::Zero());
@@ -90,10 +90,11 @@ std::vector<Tensor<Dim>> hyperelasticElementStress(const Patches<Dim>& reference
 }
 
 template <int Dim>
-std::vector<Tensor<Dim>> cauchyElementStress(const Patches<Dim>& patches, const std::vector<Stress<Dim>>& sigma) {
+std::vector<Tensor<Dim>> cauchyElementStress(const SmoothingDomains<Dim>& domains,
+                                             const std::vector<Stress<Dim>>& sigma) {
     std::vector<Tensor<Dim>> point(sigma.size());
-    forEach(static_cast<int>(sigma.size()), [&](int p) { point[p] = stressTensor<Dim>(sigma[p]); });
-    return fromPoints<Dim>(patches, std::move(point));
+    parallelFor(static_cast<int>(sigma.size()), [&](int p) { point[p] = stressTensor<Dim>(sigma[p]); });
+    return fromPoints<Dim>(domains, std::move(point));
 }
 
 }  // namespace
@@ -103,25 +104,25 @@ double dampingTime(const Solid& material, double alpha, double h) {
 }
 
 template <int Dim>
-const Solid& solidMaterial(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
+const Solid& solidMaterial(const Problem<Dim>& problem, const Cells<Dim>& cells, const SmoothingDomains<Dim>& domains,
                            int point) {
-    return problem.solid(cells.material[cellOfPoint<Dim>(patches, point)]);
+    return problem.solid(cells.material[cellOfPoint<Dim>(domains, point)]);
 }
 
 template <int Dim>
-void updateGradientPatches(const Problem<Dim>& problem, const Cells<Dim>& cells, const Nodes<Dim>& old,
-                           const Nodes<Dim>& trial, Patches<Dim>& patches) {
+void updateGradientDomains(const Problem<Dim>& problem, const Cells<Dim>& cells, const Nodes<Dim>& old,
+                           const Nodes<Dim>& trial, SmoothingDomains<Dim>& domains) {
     const KindsOfLaws<Dim> laws(problem, cells);
     if (laws.kinds.empty()) return;
     const auto positions = [&](Kinematics kind) { return gradientPositions<Dim>(kind, old, trial); };
-    updatePatches<Dim>(patches, positions(laws.kinds[0]));
+    updateSmoothingDomains<Dim>(domains, positions(laws.kinds[0]));
     if (laws.kinds.size() == 1) return;
-    patches.element = laws.perCell([&](Kinematics kind) {
-        Patches<Dim> at = patches;
-        updatePatches<Dim>(at, positions(kind));
+    domains.element = laws.perCell([&](Kinematics kind) {
+        SmoothingDomains<Dim> at = domains;
+        updateSmoothingDomains<Dim>(at, positions(kind));
         return at.element;
     });
-    updateVolumes<Dim>(patches);
+    updateVolumes<Dim>(domains);
 }
 
 namespace {
@@ -131,26 +132,26 @@ template <int Dim>
 struct PointMotion {
     const Problem<Dim>& problem;
     const Cells<Dim>& cells;
-    const Patches<Dim>& patches;
+    const SmoothingDomains<Dim>& domains;
     std::vector<Tensor<Dim>> gradient;  // as the laws take it
     double dt;
 };
 
 template <int Dim>
-PointMotion<Dim> pointMotion(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
+PointMotion<Dim> pointMotion(const Problem<Dim>& problem, const Cells<Dim>& cells, const SmoothingDomains<Dim>& domains,
                              const Nodes<Dim>& old, const Nodes<Dim>& trial, double dt) {
     const KindsOfLaws<Dim> laws(problem, cells);
     const auto gradient = [&](Kinematics kind) {
-        return elementGradient<Dim>(patches, gradientField<Dim>(kind, old, trial, dt));
+        return elementGradient<Dim>(domains, gradientField<Dim>(kind, old, trial, dt));
     };
-    return {problem, cells, patches, toPoints<Dim>(patches, laws.perCell(gradient)), dt};
+    return {problem, cells, domains, toPoints<Dim>(domains, laws.perCell(gradient)), dt};
 }
 
 /// The stress at the stress points by their laws, and what the laws then remember: in `history`, from that at the start
 /// of the step to that at its end.
 template <int Dim>
 void updateStress(const PointMotion<Dim>& motion, std::vector<Stress<Dim>>& sigma, History& history) {
-    forMaterialRuns<Dim>(motion.patches, motion.cells, [&](int material, int first, int last) {
+    forMaterialRuns<Dim>(motion.domains, motion.cells, [&](int material, int first, int last) {
         const SolidLaw& law = *motion.problem.solid(material).law;
         SolidPoints<Dim> points{runOf(motion.gradient, first, last), runOf(sigma, first, last), {}, {}, motion.dt};
         const auto columns = history.empty() ? std::vector<int>{} : historyColumns(law, history.names);
@@ -172,7 +173,7 @@ void updateStress(const PointMotion<Dim>& motion, std::vector<Stress<Dim>>& sigm
 /// velocityPressure, laws in rates: the stress at the nodes by the elasticity of the laws.
 template <int Dim>
 void predictStress(const PointMotion<Dim>& motion, std::vector<Stress<Dim>>& sigma) {
-    forMaterialRuns<Dim>(motion.patches, motion.cells, [&](int material, int first, int last) {
+    forMaterialRuns<Dim>(motion.domains, motion.cells, [&](int material, int first, int last) {
         const SolidLaw& law = *motion.problem.solid(material).law;
         if (law.kinematics() == Kinematics::reference) return;
         law.predict(
@@ -182,15 +183,16 @@ void predictStress(const PointMotion<Dim>& motion, std::vector<Stress<Dim>>& sig
 
 /// velocityPressure: p of the nodes.
 template <int Dim>
-std::vector<double> nodalPressure(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
-                                  const Nodes<Dim>& old, const Nodes<Dim>& trial, double dt) {
-    std::vector<double> p(patches.nNodes(), 0.0);
-    if (patches.nCells() == 0) return p;
+std::vector<double> nodalPressure(const Problem<Dim>& problem, const Cells<Dim>& cells,
+                                  const SmoothingDomains<Dim>& domains, const Nodes<Dim>& old, const Nodes<Dim>& trial,
+                                  double dt) {
+    std::vector<double> p(domains.nNodes(), 0.0);
+    if (domains.nCells() == 0) return p;
     const KindsOfLaws<Dim> laws(problem, cells);
-    const auto nodes = withNodalPoints<Dim>(patches);
+    const auto nodes = withNodalPoints<Dim>(domains);
     std::vector<double> J;
     std::vector<Stress<Dim>> sigma;
-    if (laws.has(Kinematics::reference)) J = volumeRatio<Dim>(patches, trial.x);
+    if (laws.has(Kinematics::reference)) J = volumeRatio<Dim>(domains, trial.x);
     if (!laws.only(Kinematics::reference)) {
         sigma = old.sigma;
         predictStress<Dim>(pointMotion<Dim>(problem, cells, nodes, old, trial, dt), sigma);
@@ -206,7 +208,7 @@ std::vector<double> nodalPressure(const Problem<Dim>& problem, const Cells<Dim>&
 }  // namespace
 
 template <int Dim>
-std::vector<double> volumeRatio(const Patches<Dim>& reference, const Points<Dim>& x) {
+std::vector<double> volumeRatio(const SmoothingDomains<Dim>& reference, const Points<Dim>& x) {
     const NodeToCells& around = *reference.around;
     std::vector<double> J(reference.nNodes(), 1.0);
     for (int i = 0; i < reference.nNodes(); ++i) {
@@ -221,15 +223,16 @@ std::vector<double> volumeRatio(const Patches<Dim>& reference, const Points<Dim>
 
 template <int Dim>
 SolidStress<Dim> solidStress(const Problem<Dim>& problem, const SolidControls& controls, const Cells<Dim>& cells,
-                             const Patches<Dim>& patches, const Nodes<Dim>& old, const Nodes<Dim>& trial, double dt) {
+                             const SmoothingDomains<Dim>& domains, const Nodes<Dim>& old, const Nodes<Dim>& trial,
+                             double dt) {
     SolidStress<Dim> stress;
-    stress.point = storedAtPoints<Dim>(patches, old.sigma, cells.sigma);
-    if (patches.nCells() > 0) {
-        stress.history = historyAtPoints<Dim>(problem, cells, patches, old.history);
-        const auto motion = pointMotion<Dim>(problem, cells, patches, old, trial, dt);
+    stress.point = storedAtPoints<Dim>(domains, old.sigma, cells.sigma);
+    if (domains.nCells() > 0) {
+        stress.history = historyAtPoints<Dim>(problem, cells, domains, old.history);
+        const auto motion = pointMotion<Dim>(problem, cells, domains, old, trial, dt);
         updateStress<Dim>(motion, stress.point, stress.history);
         const bool whole = !controls.withPressure();
-        forMaterialRuns<Dim>(patches, cells, [&](int material, int first, int last) {
+        forMaterialRuns<Dim>(domains, cells, [&](int material, int first, int last) {
             const SolidLaw& law = *problem.solid(material).law;
             const bool total = law.kinematics() == Kinematics::reference;
             for (int p = first; p < last; ++p)
@@ -240,18 +243,18 @@ SolidStress<Dim> solidStress(const Problem<Dim>& problem, const SolidControls& c
                     stress.point[p] = deviator<Dim>(stress.point[p]);
         });
     }
-    if (controls.withPressure()) stress.pressure = nodalPressure<Dim>(problem, cells, patches, old, trial, dt);
+    if (controls.withPressure()) stress.pressure = nodalPressure<Dim>(problem, cells, domains, old, trial, dt);
     return stress;
 }
 
 template <int Dim>
 std::vector<Tensor<Dim>> solidElementStress(const Problem<Dim>& problem, const SolidControls& controls,
-                                            const Cells<Dim>& cells, const Patches<Dim>& patches,
-                                            const Patches<Dim>& end, const SolidStress<Dim>& stress,
+                                            const Cells<Dim>& cells, const SmoothingDomains<Dim>& domains,
+                                            const SmoothingDomains<Dim>& end, const SolidStress<Dim>& stress,
                                             const Nodes<Dim>& trial) {
     if (end.nCells() == 0) return {};
     auto sum = KindsOfLaws<Dim>(problem, cells).perCell([&](Kinematics kind) {
-        return kind == Kinematics::reference ? hyperelasticElementStress<Dim>(patches, stress.point, trial.x)
+        return kind == Kinematics::reference ? hyperelasticElementStress<Dim>(domains, stress.point, trial.x)
                                              : cauchyElementStress<Dim>(end, stress.point);
     });
     const auto L = elementGradient<Dim>(end, trial.v);
@@ -268,51 +271,51 @@ std::vector<Tensor<Dim>> solidElementStress(const Problem<Dim>& problem, const S
 
 template <int Dim>
 std::vector<Tensor<Dim>> storedElementStress(const Problem<Dim>& problem, const SolidControls& controls,
-                                             const Cells<Dim>& cells, const Patches<Dim>& patches,
+                                             const Cells<Dim>& cells, const SmoothingDomains<Dim>& domains,
                                              const Nodes<Dim>& nodes) {
-    auto gradients = patches;
-    updateGradientPatches<Dim>(problem, cells, nodes, nodes, gradients);
+    auto gradients = domains;
+    updateGradientDomains<Dim>(problem, cells, nodes, nodes, gradients);
     // a hyperelastic stress follows from the positions; the others are what is stored
-    SolidStress<Dim> stress{storedAtPoints<Dim>(patches, nodes.sigma, cells.sigma), {}, {}};
+    SolidStress<Dim> stress{storedAtPoints<Dim>(domains, nodes.sigma, cells.sigma), {}, {}};
     const KindsOfLaws<Dim> laws(problem, cells);
     if (laws.has(Kinematics::reference)) {
         auto ofPositions = solidStress<Dim>(problem, controls, cells, gradients, nodes, nodes, 0);
-        forMaterialRuns<Dim>(patches, cells, [&](int material, int first, int last) {
+        forMaterialRuns<Dim>(domains, cells, [&](int material, int first, int last) {
             if (problem.solid(material).law->kinematics() == Kinematics::reference)
                 std::copy(ofPositions.point.begin() + first, ofPositions.point.begin() + last,
                           stress.point.begin() + first);
         });
         stress.pressure = std::move(ofPositions.pressure);
         for (int i = 0; i < static_cast<int>(stress.pressure.size()); ++i)
-            if (patches.around->count(i) > 0 && !laws.isTotal(patches.around->cell[patches.around->start[i]]))
+            if (domains.around->count(i) > 0 && !laws.isTotal(domains.around->cell[domains.around->start[i]]))
                 stress.pressure[i] = 0;
     }
-    return solidElementStress<Dim>(problem, controls, cells, gradients, patches, stress, nodes);
+    return solidElementStress<Dim>(problem, controls, cells, gradients, domains, stress, nodes);
 }
 
 template <int Dim>
-void storeSolidStress(const Patches<Dim>& patches, SolidStress<Dim> stress, std::vector<Stress<Dim>>& nodal,
+void storeSolidStress(const SmoothingDomains<Dim>& domains, SolidStress<Dim> stress, std::vector<Stress<Dim>>& nodal,
                       std::vector<Stress<Dim>>& cell) {
-    storeFromPoints<Dim>(patches, std::move(stress.point), nodal, cell);
+    storeFromPoints<Dim>(domains, std::move(stress.point), nodal, cell);
     if (stress.pressure.empty()) return;
     for (std::size_t i = 0; i < nodal.size(); ++i) nodal[i] = withPressure<Dim>(nodal[i], stress.pressure[i]);
     for (std::size_t e = 0; e < cell.size(); ++e)
-        cell[e] = withPressure<Dim>(cell[e], cellMean<Dim>(patches, stress.pressure, static_cast<int>(e)));
+        cell[e] = withPressure<Dim>(cell[e], cellMean<Dim>(domains, stress.pressure, static_cast<int>(e)));
 }
 
-#define PFEM_INSTANTIATE(D)                                                                                            \
-    template const Solid& solidMaterial<D>(const Problem<D>&, const Cells<D>&, const Patches<D>&, int);                \
-    template std::vector<double> volumeRatio<D>(const Patches<D>&, const Points<D>&);                                  \
-    template void updateGradientPatches<D>(const Problem<D>&, const Cells<D>&, const Nodes<D>&, const Nodes<D>&,       \
-                                           Patches<D>&);                                                               \
-    template SolidStress<D> solidStress<D>(const Problem<D>&, const SolidControls&, const Cells<D>&,                   \
-                                           const Patches<D>&, const Nodes<D>&, const Nodes<D>&, double);               \
-    template std::vector<Tensor<D>> solidElementStress<D>(const Problem<D>&, const SolidControls&, const Cells<D>&,    \
-                                                          const Patches<D>&, const Patches<D>&, const SolidStress<D>&, \
-                                                          const Nodes<D>&);                                            \
-    template std::vector<Tensor<D>> storedElementStress<D>(const Problem<D>&, const SolidControls&, const Cells<D>&,   \
-                                                           const Patches<D>&, const Nodes<D>&);                        \
-    template void storeSolidStress<D>(const Patches<D>&, SolidStress<D>, std::vector<Stress<D>>&,                      \
+#define PFEM_INSTANTIATE(D)                                                                                          \
+    template const Solid& solidMaterial<D>(const Problem<D>&, const Cells<D>&, const SmoothingDomains<D>&, int);     \
+    template std::vector<double> volumeRatio<D>(const SmoothingDomains<D>&, const Points<D>&);                       \
+    template void updateGradientDomains<D>(const Problem<D>&, const Cells<D>&, const Nodes<D>&, const Nodes<D>&,     \
+                                           SmoothingDomains<D>&);                                                    \
+    template SolidStress<D> solidStress<D>(const Problem<D>&, const SolidControls&, const Cells<D>&,                 \
+                                           const SmoothingDomains<D>&, const Nodes<D>&, const Nodes<D>&, double);    \
+    template std::vector<Tensor<D>> solidElementStress<D>(const Problem<D>&, const SolidControls&, const Cells<D>&,  \
+                                                          const SmoothingDomains<D>&, const SmoothingDomains<D>&,    \
+                                                          const SolidStress<D>&, const Nodes<D>&);                   \
+    template std::vector<Tensor<D>> storedElementStress<D>(const Problem<D>&, const SolidControls&, const Cells<D>&, \
+                                                           const SmoothingDomains<D>&, const Nodes<D>&);             \
+    template void storeSolidStress<D>(const SmoothingDomains<D>&, SolidStress<D>, std::vector<Stress<D>>&,           \
                                       std::vector<Stress<D>>&);
 PFEM_INSTANTIATE(2)
 

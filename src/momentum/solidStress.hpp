@@ -1,28 +1,28 @@
 #pragma once
 // Stress of the solid's stress points at the end of the step (36)-(39), and the zig-zag damper.
 
+#include "conditions/problem.hpp"
 #include "integration/midpointRule.hpp"
 #include "integration/stressPoints.hpp"
 #include "momentum/controls.hpp"
-#include "state/problem.hpp"
 
 namespace pfem {
 
 /// Material of a stress point.
 template <int Dim>
-const Solid& solidMaterial(const Problem<Dim>& problem, const Cells<Dim>& cells, const Patches<Dim>& patches,
+const Solid& solidMaterial(const Problem<Dim>& problem, const Cells<Dim>& cells, const SmoothingDomains<Dim>& domains,
                            int point);
 
-/// The patches at the positions whose gradients the cells' laws take (Kinematics): (x^n + x)/2, x or X. Cells of laws
+/// The domains at the positions whose gradients the cells' laws take (Kinematics): (x^n + x)/2, x or X. Cells of laws
 /// of different kinds have different ones.
 template <int Dim>
-void updateGradientPatches(const Problem<Dim>& problem, const Cells<Dim>& cells, const Nodes<Dim>& old,
-                           const Nodes<Dim>& trial, Patches<Dim>& patches);
+void updateGradientDomains(const Problem<Dim>& problem, const Cells<Dim>& cells, const Nodes<Dim>& old,
+                           const Nodes<Dim>& trial, SmoothingDomains<Dim>& domains);
 
-/// Omega_I(x) / Omega_I of the patches: how much the volume of each node has grown; 1 outside the material. The nodal
+/// Omega_I(x) / Omega_I of the domains: how much the volume of each node has grown; 1 outside the material. The nodal
 /// volume is the sum of its cells', so a node may have J > 0 beside an inverted cell.
 template <int Dim>
-std::vector<double> volumeRatio(const Patches<Dim>& reference, const Points<Dim>& x);
+std::vector<double> volumeRatio(const SmoothingDomains<Dim>& reference, const Points<Dim>& x);
 
 /// The solid's stress in one iterate.
 template <int Dim>
@@ -38,29 +38,30 @@ struct SolidStress {
 /// the mass equation (1/kappa) dp/dt + div v = 0 with lumped test functions, solved for p at each node; s is the
 /// deviator. Of hyperelastic laws p = - U'(J) with J = Omega_I/Omega_I0, and s the rest: both are derivatives of the
 /// energy sum_p Omega_p W_s(F_p) + sum_I Omega_I0 U(Omega_I/Omega_I0).
-///   patches: updateGradientPatches
+///   domains: updateGradientDomains
 template <int Dim>
 SolidStress<Dim> solidStress(const Problem<Dim>& problem, const SolidControls& controls, const Cells<Dim>& cells,
-                             const Patches<Dim>& patches, const Nodes<Dim>& old, const Nodes<Dim>& trial, double dt);
+                             const SmoothingDomains<Dim>& domains, const Nodes<Dim>& old, const Nodes<Dim>& trial,
+                             double dt);
 
 /// Element stress that makes the nodal force from the points' stress (fromPoints) and the pressure, plus the damper's
 /// tau_s C : (d_e - fromPoints(d)_e), which vanishes for linear velocity fields and for elemental integration.
-///   patches: updateGradientPatches;  end: at trial.x
+///   domains: updateGradientDomains;  end: at trial.x
 template <int Dim>
 std::vector<Tensor<Dim>> solidElementStress(const Problem<Dim>& problem, const SolidControls& controls,
-                                            const Cells<Dim>& cells, const Patches<Dim>& patches,
-                                            const Patches<Dim>& end, const SolidStress<Dim>& stress,
+                                            const Cells<Dim>& cells, const SmoothingDomains<Dim>& domains,
+                                            const SmoothingDomains<Dim>& end, const SolidStress<Dim>& stress,
                                             const Nodes<Dim>& trial);
 
-/// The same for a state as it is stored, with the patches at its positions.
+/// The same for a state as it is stored, with the domains at its positions.
 template <int Dim>
 std::vector<Tensor<Dim>> storedElementStress(const Problem<Dim>& problem, const SolidControls& controls,
-                                             const Cells<Dim>& cells, const Patches<Dim>& patches,
+                                             const Cells<Dim>& cells, const SmoothingDomains<Dim>& domains,
                                              const Nodes<Dim>& nodes);
 
 /// Store the accepted stress at nodes and, elemental, in cells: sigma = s - p I; see storeFromPoints.
 template <int Dim>
-void storeSolidStress(const Patches<Dim>& patches, SolidStress<Dim> stress, std::vector<Stress<Dim>>& nodal,
+void storeSolidStress(const SmoothingDomains<Dim>& domains, SolidStress<Dim> stress, std::vector<Stress<Dim>>& nodal,
                       std::vector<Stress<Dim>>& cell);
 
 /// tau_s = alpha h sqrt(rho/E) [s].

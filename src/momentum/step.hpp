@@ -2,8 +2,8 @@
 // What one step of time is about.
 
 #include "conditions/constraints.hpp"
+#include "conditions/problem.hpp"
 #include "integration/midpointRule.hpp"
-#include "state/problem.hpp"
 
 namespace pfem {
 

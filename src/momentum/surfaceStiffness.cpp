@@ -25,8 +25,8 @@ Points<Dim> surfaceStiffness(const Problem<Dim>& problem, const Cells<Dim>& flui
 template <int Dim>
 Points<Dim> matrixInertia(const std::vector<double>& mass, const Points<Dim>& stiffness, const MidpointRule& midpoint) {
     Points<Dim> inertia(mass.size());
-    forEach(static_cast<int>(mass.size()),
-            [&](int i) { inertia[i] = matrixInertia<Dim>(mass[i], stiffness[i], midpoint); });
+    parallelFor(static_cast<int>(mass.size()),
+                [&](int i) { inertia[i] = matrixInertia<Dim>(mass[i], stiffness[i], midpoint); });
     return inertia;
 }
 

@@ -2,8 +2,8 @@
 // How heavy fluid resists that its surface, or the solid on it, rises: the stiffness of gravity waves, for the
 // matrices.
 
+#include "conditions/problem.hpp"
 #include "integration/midpointRule.hpp"
-#include "state/problem.hpp"
 
 namespace pfem {
 

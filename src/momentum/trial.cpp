@@ -13,8 +13,8 @@ template <int Dim>
 void moveEnd(const Step<Dim>& step, Nodes<Dim>& end) {
     const auto& [problem, mesh, topology, constraints, old, midpoint, divTarget] = step;
     const double dt = midpoint.dt;
-    forEach(old.size(), [&](int i) {
-        if (constraints.hold[i] == Hold::fixed && !constraints.isMoved(i)) {
+    parallelFor(old.size(), [&](int i) {
+        if (constraints.type[i] == Constraint::fixed && !constraints.isMoved(i)) {
             if (topology.isolated(i)) end.v[i] = end.a[i] = Vec<Dim>::Zero();  // a drop on a wall that it sticks to
             return;
         }
@@ -38,7 +38,7 @@ void moveEnd(const Step<Dim>& step, Nodes<Dim>& end) {
 template <int Dim>
 void moveMiddle(const Step<Dim>& step, Trial<Dim>& trial) {
     const Nodes<Dim>&old = step.old, &end = trial.end;
-    forEach(old.size(), [&](int i) {
+    parallelFor(old.size(), [&](int i) {
         trial.middle.x[i] = step.midpoint.template middle<Dim>(old.x[i], end.x[i]);
         trial.middle.v[i] = step.midpoint.template middle<Dim>(old.v[i], end.v[i]);
         trial.middle.a[i] = step.midpoint.template acceleration<Dim>(old.v[i], end.v[i]);
@@ -60,7 +60,7 @@ Vec<Dim> depthGradient(const Problem<Dim>& problem, const Nodes<Dim>& nodes, dou
 template <int Dim>
 std::vector<double> withDepth(const Vec<Dim>& gradient, const Topology<Dim>& topology, const Points<Dim>& x,
                               std::vector<double> p) {
-    forEach(topology.nNodes(), [&](int i) {
+    parallelFor(topology.nNodes(), [&](int i) {
         if (topology.wet(i)) p[i] += gradient.dot(x[i]);
     });
     return p;
@@ -86,7 +86,7 @@ Trial<Dim> firstTrial(const Step<Dim>& step) {
 
 template <int Dim>
 void changeVelocity(const Step<Dim>& step, double part, const Points<Dim>& dv, Trial<Dim>& trial) {
-    forEach(trial.end.size(), [&](int i) { trial.end.v[i] += part * dv[i]; });
+    parallelFor(trial.end.size(), [&](int i) { trial.end.v[i] += part * dv[i]; });
     moveEnd(step, trial.end);
     moveMiddle(step, trial);
     setExcess(step, std::move(trial.excess), trial);

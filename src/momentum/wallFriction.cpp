@@ -46,19 +46,20 @@ Vec<Dim> sideFriction(const Problem<Dim>& problem, double rho, const Vec<Dim>& v
 }
 
 template <int Dim>
-void addSideFriction(const Problem<Dim>& problem, const Cells<Dim>& fluid, const Patches<Dim>& patches,
+void addSideFriction(const Problem<Dim>& problem, const Cells<Dim>& fluid, const SmoothingDomains<Dim>& domains,
                      const Points<Dim>& v, Points<Dim>& force) {
     if (problem.conditions.sideFriction == 0) return;
-    const NodeToCells& around = *patches.around;
-    forEach(patches.nNodes(), [&](int i) {
+    const NodeToCells& around = *domains.around;
+    parallelFor(domains.nNodes(), [&](int i) {
         if (around.count(i) == 0) return;
         const double rho = problem.fluid(fluid.material[around.cell[around.start[i]]]).rho;
-        force[i] += patches.volume[i] * sideFriction<Dim>(problem, rho, v[i]);
+        force[i] += domains.volume[i] * sideFriction<Dim>(problem, rho, v[i]);
     });
 }
 
 template Vec<2> sideFriction<2>(const Problem<2>&, double, const Vec<2>&);
-template void addSideFriction<2>(const Problem<2>&, const Cells<2>&, const Patches<2>&, const Points<2>&, Points<2>&);
+template void addSideFriction<2>(const Problem<2>&, const Cells<2>&, const SmoothingDomains<2>&, const Points<2>&,
+                                 Points<2>&);
 template Vec<2> slidingVelocity<2>(const Problem<2>&, int, const Vec<2>&, const Vec<2>&, const Vec<2>&);
 template Vec<2> wallFriction<2>(const Problem<2>&, int, double, const Vec<2>&);
 template void addWallFriction<2>(const Problem<2>&, const Cells<2>&, const Topology<2>&, const Nodes<2>&, Points<2>&);

@@ -6,8 +6,8 @@
 // c_f of a smooth wall is 0.079 Re^(-1/4) (Blasius; Re with four times the depth of the flow), 0.003 ... 0.006 in the
 // laboratory.
 
-#include "integration/nodalPatches.hpp"
-#include "state/problem.hpp"
+#include "conditions/problem.hpp"
+#include "integration/smoothingDomains.hpp"
 
 namespace pfem {
 
@@ -30,9 +30,9 @@ void addWallFriction(const Problem<Dim>& problem, const Cells<Dim>& fluid, const
 template <int Dim>
 Vec<Dim> sideFriction(const Problem<Dim>& problem, double rho, const Vec<Dim>& v);
 
-/// Add it for the patches of the fluid.
+/// Add it for the domains of the fluid.
 template <int Dim>
-void addSideFriction(const Problem<Dim>& problem, const Cells<Dim>& fluid, const Patches<Dim>& patches,
+void addSideFriction(const Problem<Dim>& problem, const Cells<Dim>& fluid, const SmoothingDomains<Dim>& domains,
                      const Points<Dim>& v, Points<Dim>& force);
 
 }  // namespace pfem

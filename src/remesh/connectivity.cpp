@@ -39,7 +39,7 @@ bool isContact(const RemeshingControls& c, const CandidateNodes& nodes, const Si
     if (circumradius(nodes.x, s) > c.newContactRadius * h) return false;
     int held = 0, dry = 0, fluidNode = -1, dryNode = -1;
     for (int k = 0; k < 3; ++k) {
-        if (!nodes.held[s[k]]) {
+        if (!nodes.onSolidOrCorner[s[k]]) {
             fluidNode = k;
             continue;
         }
@@ -94,7 +94,8 @@ public:
 private:
     void judge(int e) {
         const auto& s = t_.cells[e];
-        const bool allHeld = nodes_.held[s[0]] && nodes_.held[s[1]] && nodes_.held[s[2]];
+        const bool allHeld =
+            nodes_.onSolidOrCorner[s[0]] && nodes_.onSolidOrCorner[s[1]] && nodes_.onSolidOrCorner[s[2]];
         if (isFlatOnWall(s) || (allHeld && isSliver(s))) return;
         const Vec<2> centre = simplexCentroid<2>(nodes_.x, s);
         inside_[e] = wasFluid(s, centre);
@@ -109,7 +110,7 @@ private:
 
     /// Where fluid, two nodes in cells or drops, may soon meet fluid or a solid.
     bool isGap(const Simplex<2>& s) const {
-        const auto fluid = std::count_if(s.begin(), s.end(), [&](int node) { return !nodes_.held[node]; });
+        const auto fluid = std::count_if(s.begin(), s.end(), [&](int node) { return !nodes_.onSolidOrCorner[node]; });
         return fluid >= 2 && circumradius(nodes_.x, s) < controls_.newContactRadius * meanSize(nodes_, s);
     }
 
@@ -148,7 +149,7 @@ private:
 
     bool isFluid(int e) const { return e >= 0 && accepted_[e]; }
 
-    bool isBound(int node) const { return nodes_.held[node] || nodes_.inward[node].squaredNorm() > 0; }
+    bool isBound(int node) const { return nodes_.onSolidOrCorner[node] || nodes_.inward[node].squaredNorm() > 0; }
 
     /// A face of the cell that is open to the air.
     bool isAtSurface(int e) const {
@@ -173,15 +174,16 @@ private:
     bool isTrapped(int e) const {
         const auto& s = t_.cells[e];
         const auto& n = t_.neighbours[e];
-        return nodes_.held[s[0]] && nodes_.held[s[1]] && nodes_.held[s[2]] && !isFluid(n[0]) && !isFluid(n[1]) &&
-               !isFluid(n[2]);
+        return nodes_.onSolidOrCorner[s[0]] && nodes_.onSolidOrCorner[s[1]] && nodes_.onSolidOrCorner[s[2]] &&
+               !isFluid(n[0]) && !isFluid(n[1]) && !isFluid(n[2]);
     }
 
     /// A node hangs on this triangle alone, and the triangle is flat or about to collapse: such a node has hardly any
     /// mass and pressure cannot hold it.
-    bool isHanging(int e) const {
+    bool isCarriedByOne(int e) const {
         const auto& s = t_.cells[e];
-        if (std::none_of(s.begin(), s.end(), [&](int node) { return cells_[node] == 1 && !nodes_.held[node]; }))
+        if (std::none_of(s.begin(), s.end(),
+                         [&](int node) { return cells_[node] == 1 && !nodes_.onSolidOrCorner[node]; }))
             return false;
         const double h = meanSize(nodes_, s);
         return simplexMeasure<2>(nodes_.x, s) < controls_.hangingArea * h * h ||
@@ -195,7 +197,7 @@ private:
         const auto& s = t_.cells[e];
         for (int k = 0; k < 3; ++k) {
             const int f = s[k], a = s[(k + 1) % 3], b = s[(k + 2) % 3];
-            if (nodes_.held[f] || !nodes_.held[a] || !nodes_.held[b]) continue;
+            if (nodes_.onSolidOrCorner[f] || !nodes_.onSolidOrCorner[a] || !nodes_.onSolidOrCorner[b]) continue;
             const Vec<2> edge = nodes_.x[b] - nodes_.x[a];
             const double place = edge.dot(nodes_.x[f] - nodes_.x[a]) / edge.squaredNorm();
             return (cells_[a] == 1 && place > 1 - releasePlace) || (cells_[b] == 1 && place < releasePlace);
@@ -210,7 +212,7 @@ private:
     void peel() {
         const int n = static_cast<int>(t_.cells.size());
         std::vector<unsigned char> isOpen(n);  // the others come when a neighbour has gone
-        forEach(n, [&](int e) { isOpen[e] = accepted_[e] && (isAtSurface(e) || isTrapped(e)); });
+        parallelFor(n, [&](int e) { isOpen[e] = accepted_[e] && (isAtSurface(e) || isTrapped(e)); });
         std::vector<int> work;
         for (int e = 0; e < n; ++e)
             if (isOpen[e]) work.push_back(e);
@@ -218,7 +220,7 @@ private:
             const int e = work.back();
             work.pop_back();
             if (!accepted_[e] || !(isAtSurface(e) || isTrapped(e))) continue;
-            const bool stretched = isStretched(e) || isHanging(e);
+            const bool stretched = isStretched(e) || isCarriedByOne(e);
             if (!stretched && !isTrapped(e) && !isReleased(e)) continue;
             accepted_[e] = 0;
             if (inside_[e]) change(e, stretched ? VolumeCause::stretched : VolumeCause::released, -1);

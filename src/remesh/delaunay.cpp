@@ -86,14 +86,14 @@ std::vector<Turned> sortedCells(const Cdt& cdt, int nPoints) {
     found.reserve(cdt.number_of_faces());
     for (const auto face : cdt.finite_face_handles()) found.push_back({face});
     const int nCells = static_cast<int>(found.size());
-    forEach(nCells, [&](int e) { found[e] = turned(found[e].face); });
+    parallelFor(nCells, [&](int e) { found[e] = turned(found[e].face); });
     std::vector<int> start(nPoints + 1, 0);
     for (const Turned& cell : found) ++start[cell.nodes[0] + 1];
     std::partial_sum(start.begin(), start.end(), start.begin());
     std::vector<int> next = start, order(nCells);
     for (int e = 0; e < nCells; ++e) order[next[found[e].nodes[0]]++] = e;
     std::vector<Turned> cells(nCells);
-    forEach(nPoints, [&](int i) {
+    parallelFor(nPoints, [&](int i) {
         std::sort(order.begin() + start[i], order.begin() + start[i + 1],
                   [&](int a, int b) { return found[a].nodes[1] < found[b].nodes[1]; });
         for (int e = start[i]; e < start[i + 1]; ++e) cells[e] = found[order[e]];
@@ -132,11 +132,11 @@ Triangulation<2> Triangulator::triangulation(int nPoints) const {
         infinite->info() = -1;
         if (++infinite == done) break;
     }
-    forEach(nCells, [&](int e) { cells[e].face->info() = e; });
+    parallelFor(nCells, [&](int e) { cells[e].face->info() = e; });
     Triangulation<2> result;
     result.cells.resize(nCells);
     result.neighbours.resize(nCells);
-    forEach(nCells, [&](int e) {
+    parallelFor(nCells, [&](int e) {
         result.cells[e] = cells[e].nodes;
         for (int k = 0; k < 3; ++k) result.neighbours[e][k] = cells[e].face->neighbor((cells[e].first + k) % 3)->info();
     });

@@ -17,7 +17,7 @@ double handOver(const MovedMesh<2>& moved, const std::vector<int>& newIndex, con
     double orphaned = 0;
     for (int i = 0; i < moved.topology.nNodes(); ++i) {
         const int node = newIndex[i];
-        const bool dryPlace = node >= 0 && moved.topology.held(i) && !wet[node];
+        const bool dryPlace = node >= 0 && moved.topology.onSolidOrCorner(i) && !wet[node];
         if (node >= 0 && !dryPlace) continue;
         const double amount = node < 0 ? moved.lostVolume[i] + moved.dropVolume[i] : lost[node];
         const auto heirs = heirsOf<2>(moved, newIndex, wet, i);
@@ -69,7 +69,7 @@ void exchangeWithDrops(const MovedMesh<2>& moved, const std::vector<int>& newInd
         const int node = newIndex[i];
         if (node < 0) continue;
         const double both = nodes.dropVolume[node] + nodes.lostVolume[node];
-        const bool drop = !wet[node] && !moved.topology.held(i) && both > 0;
+        const bool drop = !wet[node] && !moved.topology.onSolidOrCorner(i) && both > 0;
         nodes.dropVolume[node] = drop ? both : 0;
         nodes.lostVolume[node] = drop ? 0 : both;
     }
@@ -82,23 +82,23 @@ void chargeMotion(const NodeToCells& around, const std::vector<Simplex<Dim>>& ce
                   Nodes<Dim>& nodes) {
     const int nCells = static_cast<int>(cells.size());
     std::vector<double> change(nCells), weight(nCells), pool(nCells);
-    forEach(nCells, [&](int e) {
+    parallelFor(nCells, [&](int e) {
         const double now = simplexMeasure<Dim>(nodes.x, cells[e]);
         change[e] = (now - simplexMeasure<Dim>(xOld, cells[e])) / (Dim + 1);
         weight[e] = std::max(now, 0.0);
     });
     std::vector<double> intensity(nodes.size(), 0.0), volume(nodes.size(), 0.0);
-    forEach(nodes.size(), [&](int i) {
+    parallelFor(nodes.size(), [&](int i) {
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
             nodes.lostVolume[i] -= change[around.cell[s]];
             volume[i] += weight[around.cell[s]];
         }
         if (volume[i] > 0) intensity[i] = nodes.lostVolume[i] / volume[i];
     });
-    forEach(nCells, [&](int e) {
+    parallelFor(nCells, [&](int e) {
         for (int node : cells[e]) pool[e] += weight[e] * intensity[node] / (Dim + 1);
     });
-    forEach(nodes.size(), [&](int i) {
+    parallelFor(nodes.size(), [&](int i) {
         double sum = 0;
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) sum += pool[around.cell[s]];
         if (volume[i] > 0) nodes.lostVolume[i] = sum;

@@ -26,7 +26,7 @@ public:
           long_(moved.x.size(), 0) {
         plan_.removed.assign(moved.x.size(), 0);
         closest_ = std::max(controls.removeDistance, controls.removeDistanceSurface);
-        forEach(static_cast<int>(moved.x.size()), [&](int i) {  // most nodes need no second look
+        parallelFor(static_cast<int>(moved.x.size()), [&](int i) {  // most nodes need no second look
             for (int s = ring_.start[i]; s < ring_.start[i + 1]; ++s) {
                 const double distance = distanceTo(ring_.node[s], moved_.x[i], h_[i]);
                 near_[i] |= distance < closest_;

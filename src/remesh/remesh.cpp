@@ -13,7 +13,7 @@
 #include "remesh/lostVolume.hpp"
 #include "remesh/nodeControl.hpp"
 #include "remesh/passOn.hpp"
-#include "walls/feet.hpp"
+#include "walls/tJunctions.hpp"
 
 namespace pfem {
 
@@ -114,14 +114,14 @@ CandidateNodes candidateNodes(const State<2>& state, const MovedMesh<2>& moved, 
     c.x = state.nodes.x;
     c.v = state.nodes.v;
     c.h = state.nodes.h;
-    c.held.assign(n, 0);
+    c.onSolidOrCorner.assign(n, 0);
     c.wet.assign(n, 1);  // inserted nodes are inside the fluid
     c.inward.assign(n, Vec<2>::Zero());
     c.old.assign(n, -1);
     for (std::size_t i = 0; i < moved.x.size(); ++i) {
         if (newIndex[i] < 0) continue;
         c.old[newIndex[i]] = static_cast<int>(i);
-        c.held[newIndex[i]] = moved.topology.held(static_cast<int>(i));
+        c.onSolidOrCorner[newIndex[i]] = moved.topology.onSolidOrCorner(static_cast<int>(i));
         c.wet[newIndex[i]] = moved.topology.wet(static_cast<int>(i));
     }
     for (int i = 0; i < n; ++i) {
@@ -189,7 +189,7 @@ RemeshReport<Dim> remesh(RemeshTask<Dim> task, Triangulator& triangulator, State
 
     CandidateNodes candidates;
     std::optional<MovedPlaces> places;
-    together(
+    parallelInvoke(
         state.nodes.size(),
         [&] {
             triangulator.follow(state.nodes.x, state.nodes.id, activeNodes(state, kinds), fixedFaces<Dim>(state, kinds),

@@ -1,6 +1,6 @@
 #include "solver/beginStep.hpp"
 
-#include "walls/feet.hpp"
+#include "walls/tJunctions.hpp"
 
 namespace pfem {
 
@@ -32,7 +32,7 @@ Topology<Dim> beginStep(const Problem<Dim>& problem, double dt, State<Dim>& stat
         const auto next = constraintsOver<Dim>(0, dt, problem, state, topology);
         Points<Dim> v = state.nodes.v;
         for (int i = 0; i < state.nodes.size(); ++i) v[i] = next.velocity(i, state.nodes.x[i], v[i]);
-        if (leaveFeet(topology, v, state)) topology = makeTopology<Dim>(state.mesh, kinds, state.nodes.wall);
+        if (leaveTJunctions(topology, v, state)) topology = makeTopology<Dim>(state.mesh, kinds, state.nodes.wall);
     }
     obeyConstraints<Dim>(constraintsOver<Dim>(0, 0, problem, state, topology), state.nodes);
     return topology;

@@ -1,7 +1,7 @@
 #pragma once
 // What a step begins with: who is joined to whom, and velocities that walls and clamps allow.
 
-#include "state/problem.hpp"
+#include "conditions/problem.hpp"
 
 namespace pfem {
 

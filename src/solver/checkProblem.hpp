@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "conditions/problem.hpp"
 #include "dictionary/dictionary.hpp"
 #include "momentum/controls.hpp"
-#include "state/problem.hpp"
 
 namespace pfem {
 

@@ -30,7 +30,7 @@ ContinuityEquation<Dim>::ContinuityEquation(const Step<Dim>& step, const Control
       controls_(controls),
       fluid_(fluid),
       momentum_(momentum),
-      stabilisation_{stabilisation<Dim>(step.problem, fluid.cells, fluid.patches, fluid.mu, step.old.v, step.dt()),
+      stabilisation_{stabilisation<Dim>(step.problem, fluid.cells, fluid.domains, fluid.mu, step.old.v, step.dt()),
                      projectedCells<Dim>(controls.continuity, step.problem, fluid.cells, step.topology, step.old)},
       system_(makeSystem(step.old.x)),
       viscousScale_(viscousPressureScale<Dim>(controls.continuity.viscousScale, step.topology)),
@@ -49,7 +49,7 @@ std::vector<double> ContinuityEquation<Dim>::solve(const std::vector<double>& re
     }
     ++iterations_;
     auto dp = system_.solve(residual);
-    if (momentum_.isViscous()) addViscousPressure<Dim>(fluid_.patches, fluid_.tangent(), viscousScale_, residual, dp);
+    if (momentum_.isViscous()) addViscousPressure<Dim>(fluid_.domains, fluid_.tangent(), viscousScale_, residual, dp);
     return dp;
 }
 

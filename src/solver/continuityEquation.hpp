@@ -26,7 +26,7 @@ public:
         return acceleration_.next(excess, dp);
     }
 
-    /// The iteration begins anew: the fluid's patches, which have waited, move from now on.
+    /// The iteration begins anew: the fluid's domains, which have waited, move from now on.
     void restart() { acceleration_.restart(); }
 
 private:

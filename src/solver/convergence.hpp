@@ -31,12 +31,12 @@ private:
 /// Root mean square over the entries.
 template <int Dim>
 double rms(const Points<Dim>& u) {
-    const double sum = sumOver(static_cast<int>(u.size()), [&](int i) { return u[i].squaredNorm(); });
+    const double sum = parallelSum(static_cast<int>(u.size()), [&](int i) { return u[i].squaredNorm(); });
     return u.empty() ? 0 : std::sqrt(sum / static_cast<double>(u.size()));
 }
 
 inline double rms(const std::vector<double>& u) {
-    const double sum = sumOver(static_cast<int>(u.size()), [&](int i) { return u[i] * u[i]; });
+    const double sum = parallelSum(static_cast<int>(u.size()), [&](int i) { return u[i] * u[i]; });
     return u.empty() ? 0 : std::sqrt(sum / static_cast<double>(u.size()));
 }
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include "conditions/problem.hpp"
 #include "solver/failedStep.hpp"
-#include "state/problem.hpp"
 
 namespace pfem {
 

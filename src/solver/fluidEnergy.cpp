@@ -21,7 +21,7 @@ template <int Dim>
 StoredEnergy fluidEnergy(const Problem<Dim>& problem, const State<Dim>& state) {
     const auto& nodes = state.nodes;
     const auto& cells = state.mesh.fluid;
-    StoredEnergy energy = sumOver(cells.size(), [&](int e) {
+    StoredEnergy energy = parallelSum(cells.size(), [&](int e) {
         const ViscousFluid& fluid = problem.fluid(cells.material[e]);
         double squaredSpeed = 0, height = 0, squaredPressure = 0;
         for (const int i : cells.nodes[e]) {
@@ -46,7 +46,7 @@ StoredEnergy fluidEnergy(const Problem<Dim>& problem, const State<Dim>& state) {
 template <int Dim>
 double volumeEnergy(const Problem<Dim>& problem, const Cells<Dim>& cells, const Nodes<Dim>& old, const Nodes<Dim>& now,
                     const std::vector<double>& returned) {
-    double sum = sumOver(cells.size(), [&](int e) {
+    double sum = parallelSum(cells.size(), [&](int e) {
         const double change = simplexMeasure<Dim>(now.x, cells.nodes[e]) - simplexMeasure<Dim>(old.x, cells.nodes[e]);
         double ofNodes = 0;
         for (const int i : cells.nodes[e])

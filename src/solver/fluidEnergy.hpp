@@ -1,8 +1,8 @@
 #pragma once
 // Energy that comes and goes with the fluid's volume and connectivity, as the equations of motion do not know it.
 
+#include "conditions/problem.hpp"
 #include "mesh/topology.hpp"
-#include "state/problem.hpp"
 
 namespace pfem {
 

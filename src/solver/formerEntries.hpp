@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "conditions/problem.hpp"
 #include "dictionary/dictionary.hpp"
-#include "state/problem.hpp"
 
 namespace pfem {
 

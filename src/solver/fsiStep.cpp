@@ -11,15 +11,15 @@ namespace pfem {
 
 namespace {
 
-/// The converged trial with its stress, when its patches are sound.
+/// The converged trial with its stress, when its domains are sound.
 template <int Dim>
 StepResult<Dim> accepted(FluidPhase<Dim>& fluid, SolidPhase<Dim>& solid, Trial<Dim>& trial, const StepReport& report) {
     fluid.moveTo(trial.end.x);
-    updatePatches<Dim>(solid.patches, trial.end.x);
-    checkPatches<Dim>(fluid, solid, trial.end);
+    updateSmoothingDomains<Dim>(solid.domains, trial.end.x);
+    checkDomains<Dim>(fluid, solid, trial.end);
     StepResult<Dim> result{std::move(trial.end), {}, {}, report};
-    storeHistory<Dim>(solid.patches, std::move(solid.stress.history), result.nodes.history, result.cellHistory);
-    storeSolidStress<Dim>(solid.patches, std::move(solid.stress), result.nodes.sigma, result.cellSigma);
+    storeHistory<Dim>(solid.domains, std::move(solid.stress.history), result.nodes.history, result.cellHistory);
+    storeSolidStress<Dim>(solid.domains, std::move(solid.stress), result.nodes.sigma, result.cellSigma);
     return result;
 }
 
@@ -36,16 +36,16 @@ StepResult<Dim> iterate(const Step<Dim>& step, const Controls& controls, Trial<D
                             pressureScale<Dim>(step, fluid, controls.convergence.tolP));
     StepReport report;
     std::vector<double> dp;
-    const int waiting = collapses<Dim>(fluid, trial.end.x) ? 2 : 0;  // so many velocities the patches stay at x^n
+    const int waiting = collapses<Dim>(fluid, trial.end.x) ? 2 : 0;  // so many velocities the domains stay at x^n
     if (waiting == 0) fluid.moveTo(trial.middle.x);
     for (bool converged = false; !converged;) {
         const int k = report.iterations;
-        if (k == controls.convergence.maxIterations) throw notConverged<Dim>(report, dp, trial.end, fluid.patches);
+        if (k == controls.convergence.maxIterations) throw notConverged<Dim>(report, dp, trial.end, fluid.domains);
         solid.moveTo(old, trial.end, step.dt());  // stresses
         fluid.flow(trial.middle.v);
         const auto dv = momentum.solve(momentum.residual(trial, report.finalU));  // R_m, (M + K) dv = -R_m
         changeVelocity<Dim>(step, momentum.part(dv), dv, trial);                  // v, x, a
-        fluid.moveTo(k + 1 < waiting ? old.x : trial.middle.x);                   // patches in the new configuration
+        fluid.moveTo(k + 1 < waiting ? old.x : trial.middle.x);                   // domains in the new configuration
         if (k == waiting) continuity.restart();
         dp = continuity.solve(continuity.residual(trial), trial);  // R_c, dp
         setExcess<Dim>(step, continuity.next(trial.excess, dp), trial);

@@ -1,7 +1,7 @@
 #pragma once
 // Surfaces that have just met.
 
-#include "state/problem.hpp"
+#include "conditions/problem.hpp"
 #include "state/state.hpp"
 
 namespace pfem {

@@ -21,7 +21,7 @@ template <int Dim>
 
 template <int Dim>
 void checkFinite(const Nodes<Dim>& nodes) {
-    const int found = firstOf(nodes.size(), [&](int i) {
+    const int found = parallelFirst(nodes.size(), [&](int i) {
         return !nodes.x[i].allFinite() || !nodes.v[i].allFinite() || !nodes.a[i].allFinite() ||
                !std::isfinite(nodes.p[i]) || !nodes.sigma[i].allFinite();
     });
@@ -31,7 +31,7 @@ void checkFinite(const Nodes<Dim>& nodes) {
 template <int Dim>
 void checkCells(const char* kind, const Nodes<Dim>& nodes, const std::vector<Simplex<Dim>>& cells) {
     const int nCells = static_cast<int>(cells.size());
-    const int found = firstOf(nCells, [&](int e) {
+    const int found = parallelFirst(nCells, [&](int e) {
         const double h = nodes.h[cells[e][0]];
         return !(simplexMeasure<Dim>(nodes.x, cells[e]) > -1e-9 * h * h);  // flat ones are harmless
     });
@@ -82,7 +82,7 @@ void checkWalls(const Topology<2>& topology, const Points<2>& xOld, const State<
         for (const auto& face : patch.faces)
             if (topology.walls[w++].patch >= 0) walls.emplace_back(face, &patch.name);
     std::vector<const std::string*> through(next.nodes.id.size(), nullptr);
-    forEach(next.nodes.size(), [&](int i) {
+    parallelFor(next.nodes.size(), [&](int i) {
         if (next.nodes.wall[i] >= 0 || held[i]) return;
         for (const auto& [face, name] : walls)
             if (crossed(face, xOld, next.nodes.x, xOld[i], next.nodes.x[i], 0.01 * next.nodes.h[i])) through[i] = name;
@@ -147,14 +147,14 @@ double allowedSpeed(const Topology<Dim>& topology, const Nodes<Dim>& nodes) {
     double fastest = 0, pushing = 0;
     for (int i = 0; i < nodes.size(); ++i) {
         fastest = std::max(fastest, nodes.v[i].squaredNorm());
-        if (topology.held(i)) pushing = std::max(pushing, nodes.v[i].squaredNorm());
+        if (topology.onSolidOrCorner(i)) pushing = std::max(pushing, nodes.v[i].squaredNorm());
     }
     return std::sqrt(fastest) + 2 * std::sqrt(pushing);
 }
 
 template <int Dim>
 void checkSpeedGain(double allowed, const Nodes<Dim>& nodes) {
-    const int found = firstOf(nodes.size(), [&](int i) { return nodes.v[i].norm() > allowed * (1 + 1e-9); });
+    const int found = parallelFirst(nodes.size(), [&](int i) { return nodes.v[i].norm() > allowed * (1 + 1e-9); });
     if (found < nodes.size())
         fail<Dim>(
             nodes, found,

@@ -13,7 +13,7 @@ MomentumSystem<Dim> MomentumEquation<Dim>::makeSystem(const Controls& controls) 
     const auto diagonal = inertia();
     SolidBlock<Dim> block;
     block.dofs = solidDofs<Dim>(step_.topology.solid, step_.constraints);
-    block.matrix = solidMatrix<Dim>(step_.problem, controls.solid, step_.mesh.solid, solid_.patches, block.dofs,
+    block.matrix = solidMatrix<Dim>(step_.problem, controls.solid, step_.mesh.solid, solid_.domains, block.dofs,
                                     diagonal, step_.old.h, step_.midpoint);
     return MomentumSystem<Dim>(step_, controls.momentum, fluid_, diagonal, std::move(block));
 }
@@ -30,7 +30,7 @@ MomentumEquation<Dim>::MomentumEquation(const Step<Dim>& step, const Controls& c
       stiffness_(surfaceStiffness<Dim>(step.problem, step.mesh.fluid, step.topology, step.old.x, step.midpoint)),
       mass_(nodalMass<Dim>(fluid, solid)),
       system_(makeSystem(controls)) {
-    addInternalForce<Dim>(solid.patches, solid.elementStress, solidForceOld_);
+    addInternalForce<Dim>(solid.domains, solid.elementStress, solidForceOld_);
 }
 
 template <int Dim>
@@ -44,9 +44,9 @@ Points<Dim> MomentumEquation<Dim>::residual(const Trial<Dim>& trial, double chan
     if (viscous_.empty() || std::max(system_.viscousNumber(), damped) * change > 0.1 * tolerance_)
         viscous_ = viscousForces<Dim>(fluid_, waveDamping_, trial.middle);
     auto external = externalForce<Dim>(step_.mesh, step_.topology, fluid_, trial.middle);
-    forEach(n, [&](int i) { external[i] -= viscous_[i] + (1 - gamma) * solidForceOld_[i]; });
+    parallelFor(n, [&](int i) { external[i] -= viscous_[i] + (1 - gamma) * solidForceOld_[i]; });
     auto R = momentumResidual<Dim>(mass_, trial.middle, fluid_, solid_, external, gamma);
-    forEach(n, [&](int i) { R[i] /= gamma; });
+    parallelFor(n, [&](int i) { R[i] /= gamma; });
     return R;
 }
 

@@ -3,8 +3,8 @@
 
 #include <cctype>
 
+#include "conditions/problem.hpp"
 #include "io/stateFiles.hpp"
-#include "state/problem.hpp"
 
 namespace pfem {
 

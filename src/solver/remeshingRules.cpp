@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <limits>
 
-#include "remesh/giveWay.hpp"
 #include "remesh/letGo.hpp"
 #include "remesh/lostVolume.hpp"
 #include "remesh/motionAccount.hpp"
+#include "remesh/surfaceShift.hpp"
 #include "solver/courantRate.hpp"
 #include "solver/fluidEnergy.hpp"
 #include "solver/impact.hpp"
-#include "walls/feet.hpp"
 #include "walls/landing.hpp"
 #include "walls/penetration.hpp"
 #include "walls/release.hpp"
+#include "walls/tJunctions.hpp"
 
 namespace pfem {
 
@@ -46,7 +46,7 @@ void followMovingWalls(const RemeshingContext<Dim>& c, State<Dim>& state, Remesh
 template <int Dim>
 void makeUpAtSurface(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>&) {
     const Motion<Dim>& m = c.motion;
-    giveWay<Dim>(c.controls, m.topology, m.returned, surfaceShare<Dim>(c.problem, m.dt, state.nodes), state);
+    shiftSurface<Dim>(c.controls, m.topology, m.returned, surfaceShare<Dim>(c.problem, m.dt, state.nodes), state);
 }
 
 template <int Dim>
@@ -121,7 +121,7 @@ template <int Dim>
 const std::vector<RemeshingRule<Dim>>& remeshingRules() {
     static const std::vector<RemeshingRule<Dim>> rules{
         {"standOnWalls", {}, followMovingWalls<Dim>, wallsMove<Dim>},
-        {"giveWay", VolumeCause::surface, makeUpAtSurface<Dim>},
+        {"surfaceShift", VolumeCause::surface, makeUpAtSurface<Dim>},
         {"releaseFromWalls", VolumeCause::released, release<Dim>},
         {"landOnWalls", VolumeCause::landed, land<Dim>},
         {"returnPenetrating", VolumeCause::returned, putBack<Dim>, hasSolids<Dim>},

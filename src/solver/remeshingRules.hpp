@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "conditions/problem.hpp"
 #include "remesh/remesh.hpp"
-#include "state/problem.hpp"
 
 namespace pfem {
 

@@ -13,10 +13,10 @@ namespace {
 /// Root mean square of 2 mu |d| over the cells.
 template <int Dim>
 double viscousStressScale(const FluidPhase<Dim>& fluid, const Points<Dim>& v) {
-    const auto L = elementGradient<Dim>(fluid.patches, v);
-    const int n = fluid.patches.nCells();
+    const auto L = elementGradient<Dim>(fluid.domains, v);
+    const int n = fluid.domains.nCells();
     const double sum =
-        sumOver(n, [&](int e) { return fluid.mu[e] * fluid.mu[e] * (L[e] + L[e].transpose()).squaredNorm(); });
+        parallelSum(n, [&](int e) { return fluid.mu[e] * fluid.mu[e] * (L[e] + L[e].transpose()).squaredNorm(); });
     return n > 0 ? std::sqrt(sum / n) : 0;
 }
 

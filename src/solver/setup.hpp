@@ -4,8 +4,8 @@
 #include <iostream>
 
 #include "case/case.hpp"
+#include "conditions/problem.hpp"
 #include "solver/controls.hpp"
-#include "state/problem.hpp"
 
 namespace pfem {
 

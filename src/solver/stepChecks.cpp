@@ -13,16 +13,16 @@ namespace pfem {
 
 template <int Dim>
 bool collapses(const FluidPhase<Dim>& phase, const Points<Dim>& x) {
-    const Patches<Dim>& fluid = phase.patches;
+    const SmoothingDomains<Dim>& fluid = phase.domains;
     const auto collapsing = [&](int e) {
         return simplexMeasure<Dim>(x, fluid.cell(e)) < 0.2 * fluid.element[e].measure;
     };
-    return firstOf(fluid.nCells(), collapsing) < fluid.nCells();
+    return parallelFirst(fluid.nCells(), collapsing) < fluid.nCells();
 }
 
 template <int Dim>
-void checkPatches(const FluidPhase<Dim>& fluidPhase, const SolidPhase<Dim>& solidPhase, const Nodes<Dim>& nodes) {
-    const auto& [fluid, solid] = std::tie(fluidPhase.patches, solidPhase.patches);
+void checkDomains(const FluidPhase<Dim>& fluidPhase, const SolidPhase<Dim>& solidPhase, const Nodes<Dim>& nodes) {
+    const auto& [fluid, solid] = std::tie(fluidPhase.domains, solidPhase.domains);
     const auto place = [&](const Vec<Dim>& x) { return fmt::format("({:.6g} {:.6g})", x[0], x[1]); };
     for (int e = 0; e < solid.nCells(); ++e)
         if (!(solid.element[e].measure > 0))
@@ -36,7 +36,7 @@ void checkPatches(const FluidPhase<Dim>& fluidPhase, const SolidPhase<Dim>& soli
 
 template <int Dim>
 StepFailure notConverged(const StepReport& report, const std::vector<double>& dp, const Nodes<Dim>& nodes,
-                         const Patches<Dim>& fluid) {
+                         const SmoothingDomains<Dim>& fluid) {
     const NodeToCells& around = *fluid.around;
     const auto text = fmt::format("no convergence in {} iterations: |dv|/|v| = {:.3g}, |dp|/|p| = {:.3g}",
                                   report.iterations, report.finalU, report.finalP);
@@ -55,9 +55,9 @@ StepFailure notConverged(const StepReport& report, const std::vector<double>& dp
 
 #define PFEM_INSTANTIATE(D)                                                                              \
     template bool collapses<D>(const FluidPhase<D>&, const Points<D>&);                                  \
-    template void checkPatches<D>(const FluidPhase<D>&, const SolidPhase<D>&, const Nodes<D>&);          \
+    template void checkDomains<D>(const FluidPhase<D>&, const SolidPhase<D>&, const Nodes<D>&);          \
     template StepFailure notConverged<D>(const StepReport&, const std::vector<double>&, const Nodes<D>&, \
-                                         const Patches<D>&);
+                                         const SmoothingDomains<D>&);
 PFEM_INSTANTIATE(2)
 
 }  // namespace pfem

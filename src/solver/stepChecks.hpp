@@ -14,11 +14,11 @@ bool collapses(const FluidPhase<Dim>& fluid, const Points<Dim>& x);
 
 /// Throws StepFailure for a solid element that is turned inside out or a fluid patch without volume.
 template <int Dim>
-void checkPatches(const FluidPhase<Dim>& fluid, const SolidPhase<Dim>& solid, const Nodes<Dim>& nodes);
+void checkDomains(const FluidPhase<Dim>& fluid, const SolidPhase<Dim>& solid, const Nodes<Dim>& nodes);
 
 /// A step that did not converge: how far it came, and where the pressure still changes most.
 template <int Dim>
 StepFailure notConverged(const StepReport& report, const std::vector<double>& dp, const Nodes<Dim>& nodes,
-                         const Patches<Dim>& fluid);
+                         const SmoothingDomains<Dim>& fluid);
 
 }  // namespace pfem

@@ -1,7 +1,7 @@
 #pragma once
 // How fast waves cross a triangle: the limits of the step where nothing moves yet.
 
-#include "state/problem.hpp"
+#include "conditions/problem.hpp"
 
 namespace pfem {
 

@@ -10,7 +10,7 @@ namespace pfem {
 /// Sum of the cells' measures, inverted ones negative: what moves only inside changes nothing [m2 (2D), m3].
 template <int Dim>
 double cellVolume(const Points<Dim>& x, const std::vector<Simplex<Dim>>& cells) {
-    return sumOver(static_cast<int>(cells.size()), [&](int e) { return simplexMeasure<Dim>(x, cells[e]); });
+    return parallelSum(static_cast<int>(cells.size()), [&](int e) { return simplexMeasure<Dim>(x, cells[e]); });
 }
 
 /// What isolated particles carry.

@@ -6,7 +6,7 @@
 
 #include "base/parallel.hpp"
 #include "walls/corners.hpp"
-#include "walls/feet.hpp"
+#include "walls/tJunctions.hpp"
 #include "walls/wallLine.hpp"
 
 namespace pfem {
@@ -54,10 +54,10 @@ Landing landingOn(const std::array<WallLine, 2>& line, const Vec<2>& xOld, const
 template <>
 void landOnWalls<2>(const WallControls& controls, const Topology<2>& topology, const Points<2>& xOld, State<2>& state) {
     Nodes<2>& nodes = state.nodes;
-    const Feet feet(topology, nodes);
+    const TJunctions feet(topology, nodes);
     for (int i = 0; i < nodes.size(); ++i) {
         const int w = nodes.wall[i];
-        if (topology.held(i) || w < 0) continue;
+        if (topology.onSolidOrCorner(i) || w < 0) continue;
         const WallLine line(nodes.x, topology.walls[w].nodes);
         const double s = feet.stop(topology, w, xOld, nodes, i, line.along(nodes.x[i]));
         if ((s < 0 || s > line.length) && !isConcaveEnd(topology, nodes.x, w, s > 0))
@@ -69,8 +69,8 @@ void landOnWalls<2>(const WallControls& controls, const Topology<2>& topology, c
     for (int w = 0; w < static_cast<int>(topology.walls.size()); ++w)
         if (topology.walls[w].patch >= 0)
             walls.push_back({w, {WallLine(nodes.x, topology.walls[w].nodes), WallLine(xOld, topology.walls[w].nodes)}});
-    forEach(nodes.size(), [&](int i) {  // walls have their corners, which do not land
-        if (topology.held(i) || topology.onWall[i] || nodes.wall[i] >= 0) return;
+    parallelFor(nodes.size(), [&](int i) {  // walls have their corners, which do not land
+        if (topology.onSolidOrCorner(i) || topology.onWall[i] || nodes.wall[i] >= 0) return;
         const bool drop = topology.isolated(i);
         Landing first;
         const std::array<WallLine, 2>* line = nullptr;

@@ -19,14 +19,14 @@ constexpr double dt = 2e-3;
 struct Fluid {
     TestCase c;
     Topology<2> topology;
-    Patches<2> patches;
+    SmoothingDomains<2> patches;
     std::vector<double> tau;
     int n;
 
     explicit Fluid(TestCase testCase)
         : c(std::move(testCase)),
           topology(c.topology()),
-          patches(makePatches<2>(c.state.mesh.fluid.nodes, topology.fluid, c.state.nodes.x)),
+          patches(makeSmoothingDomains<2>(c.state.mesh.fluid.nodes, topology.fluid, c.state.nodes.x)),
           tau(stabilisation<2>(c.problem, c.state.mesh.fluid, patches, viscosities(), c.state.nodes.v, dt)),
           n(c.state.nodes.size()) {}
 
@@ -43,7 +43,7 @@ struct Fluid {
         const auto& controls = c.controls.continuity;
         const auto constraints = c.constraints(topology);
         FluidPhase<2> fluid(c.problem, c.state.mesh, topology.fluid, old, Integration::nodal);
-        fluid.patches = patches;
+        fluid.domains = patches;
         const Step<2> step{c.problem, c.state.mesh, topology, constraints, old, {dt}, divTarget};
         const auto projected = projectedCells<2>(controls, c.problem, c.state.mesh.fluid, topology, old);
         return continuityResidual<2>(step, controls, fluid, {tau, projected}, {trial, middle, {}, Vec<2>::Zero()});
@@ -166,8 +166,8 @@ TEST(ContinuityResidual, divergenceIsTheRateOfTheVolume) {
         plus[i] += eps * trial.v[i];
         minus[i] -= eps * trial.v[i];
     }
-    const auto a = makePatches<2>(f.c.state.mesh.fluid.nodes, f.topology.fluid, plus);
-    const auto b = makePatches<2>(f.c.state.mesh.fluid.nodes, f.topology.fluid, minus);
+    const auto a = makeSmoothingDomains<2>(f.c.state.mesh.fluid.nodes, f.topology.fluid, plus);
+    const auto b = makeSmoothingDomains<2>(f.c.state.mesh.fluid.nodes, f.topology.fluid, minus);
     for (int i = 0; i < f.n; ++i) EXPECT_NEAR(rate[i], (a.volume[i] - b.volume[i]) / (2 * eps), 1e-9);
     const auto target = f.residual(trial, trial.p, 0.5);
     for (int i = 0; i < f.n; ++i) EXPECT_NEAR(target[i] - rate[i], -0.5 * f.patches.volume[i], 1e-15);

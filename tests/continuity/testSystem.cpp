@@ -30,8 +30,8 @@ struct Coupled {
     NodeConstraints<2> constraints = c.constraints(topology);
     const Points<2>& x = c.state.nodes.x;
     MidpointRule midpoint{2e-3};
-    Patches<2> fluid = makePatches<2>(c.state.mesh.fluid.nodes, topology.fluid, x);
-    Patches<2> solid = makePatches<2>(c.state.mesh.solid.nodes, topology.solid, x);
+    SmoothingDomains<2> fluid = makeSmoothingDomains<2>(c.state.mesh.fluid.nodes, topology.fluid, x);
+    SmoothingDomains<2> solid = makeSmoothingDomains<2>(c.state.mesh.solid.nodes, topology.solid, x);
     std::vector<double> mu = std::vector<double>(c.state.mesh.fluid.size(), 3.0);  // of the water
     std::vector<double> tau = stabilisation<2>(c.problem, c.state.mesh.fluid, fluid, mu, c.state.nodes.v, midpoint.dt);
     int n = c.state.nodes.size();

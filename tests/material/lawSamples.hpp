@@ -48,8 +48,7 @@ template <int Dim>
 class LawAtPoint {
 public:
     LawAtPoint(const std::string& type, const std::string& entries) : LawAtPoint(materialOf(type, entries).solid.law) {}
-    explicit LawAtPoint(std::shared_ptr<const SolidLaw> law)
-        : law(std::move(law)), history(this->law->historyAtStart()) {}
+    explicit LawAtPoint(std::shared_ptr<const SolidLaw> of) : law(std::move(of)), history(law->historyAtStart()) {}
 
     std::shared_ptr<const SolidLaw> law;
     std::vector<double> history;

@@ -29,7 +29,9 @@ void findsAllThatIsNear() {
         bins.forEachNear(x, radius, [&](int k) { found.insert(k); });
         for (int k = 0; k < 300; ++k) {
             const Vec<Dim> away = (low[k] - x).cwiseMax(x - high[k]).cwiseMax(0);
-            if (away.norm() <= radius) EXPECT_EQ(found.count(k), 1u) << k;
+            if (away.norm() <= radius) {
+                EXPECT_EQ(found.count(k), 1u) << k;
+            }
         }
         EXPECT_LT(found.size(), 150u);  // and far less than everything
     }
@@ -44,7 +46,7 @@ TEST(Bins, keepTheOrderAndStopWhenTold) {
     for (const int k : {7, 3, 5}) bins.add(k, {2.5, 2.5}, {2.6, 2.6});
     bins.add(9, {0, 0}, {10, 10});
     std::vector<int> seen;
-    bins.forEach({2.1, 2.1}, {2.2, 2.2}, [&](int k) { seen.push_back(k); });
+    bins.parallelFor({2.1, 2.1}, {2.2, 2.2}, [&](int k) { seen.push_back(k); });
     EXPECT_EQ(seen, (std::vector<int>{7, 3, 5, 9}));
     seen.clear();
     EXPECT_TRUE(bins.any({2.1, 2.1}, {2.2, 2.2}, [&](int k) {
@@ -57,11 +59,11 @@ TEST(Bins, keepTheOrderAndStopWhenTold) {
 
 TEST(Bins, noPlacesNoWidthAndTooManyBins) {
     Bins<2> none(Points<2>{}, 1);
-    none.forEach({-1, -1}, {1, 1}, [](int) { FAIL(); });
+    none.parallelFor({-1, -1}, {1, 1}, [](int) { FAIL(); });
     Bins<2> single(Points<2>{{1, 1}}, 0);
     single.add(4, {1, 1}, {1, 1});
     int count = 0;
-    single.forEach({0, 0}, {2, 2}, [&](int k) { count += k == 4; });
+    single.parallelFor({0, 0}, {2, 2}, [&](int k) { count += k == 4; });
     EXPECT_EQ(count, 1);
     Bins<2> many(Points<2>{{0, 0}, {1e9, 1}}, 1e-3);  // wider ones than asked for
     many.add(1, {5e8, 0}, {5e8, 1});

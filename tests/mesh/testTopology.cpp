@@ -91,7 +91,7 @@ TEST(Topology, rolesOfNodes) {
     };
     EXPECT_EQ(is([&](int i) { return t.onSolid[i]; }), (std::vector<int>{0, 1, 2, 3, 4, 5}));
     EXPECT_EQ(is([&](int i) { return t.corner[i]; }), (std::vector<int>{5, 8, 10}));
-    EXPECT_EQ(is([&](int i) { return t.held(i); }), (std::vector<int>{0, 1, 2, 3, 4, 5, 8, 10}));
+    EXPECT_EQ(is([&](int i) { return t.onSolidOrCorner(i); }), (std::vector<int>{0, 1, 2, 3, 4, 5, 8, 10}));
     EXPECT_EQ(is([&](int i) { return t.freeSurface[i]; }), (std::vector<int>{3, 6, 7, 8}));
     EXPECT_EQ(is([&](int i) { return t.wet(i); }), (std::vector<int>{3, 4, 5, 6, 7, 8}));
     EXPECT_EQ(is([&](int i) { return t.interface(i); }), (std::vector<int>{3, 4, 5}));

@@ -32,9 +32,9 @@ TEST(NodeConstraints, nodesStickToNoSlipWalls) {
     const TestCase c = tank("floor { type noSlip; } sides { type noSlip; }");
     const auto constraints = c.constraints(c.topology());
     const auto at = [&](double x, double y) { return nearestNode(c.state.nodes.x, {x, y}); };
-    EXPECT_EQ(constraints.hold[at(0.5, 0)], Hold::fixed);
-    EXPECT_EQ(constraints.hold[at(1, 0.2)], Hold::fixed);
-    EXPECT_EQ(constraints.hold[at(1, 0.5)], Hold::slide);  // the contact line could not move otherwise
+    EXPECT_EQ(constraints.type[at(0.5, 0)], Constraint::fixed);
+    EXPECT_EQ(constraints.type[at(1, 0.2)], Constraint::fixed);
+    EXPECT_EQ(constraints.type[at(1, 0.5)], Constraint::slide);  // the contact line could not move otherwise
 }
 
 TEST(NodeConstraints, symmetrySlidesAndCornersHold) {
@@ -43,11 +43,11 @@ TEST(NodeConstraints, symmetrySlidesAndCornersHold) {
                                 rubber, "sides { type symmetry; }");
     const auto constraints = c.constraints(c.topology());
     const int floor = nearestNode(c.state.nodes.x, {0.5, 0}), side = nearestNode(c.state.nodes.x, {1, 0.2});
-    EXPECT_EQ(constraints.hold[floor], Hold::slide);
+    EXPECT_EQ(constraints.type[floor], Constraint::slide);
     EXPECT_LT((constraints.project(floor, {3, 4}) - Vec<2>(3, 0)).norm(), 1e-12);
     EXPECT_LT((constraints.project(side, {3, 4}) - Vec<2>(0, 4)).norm(), 1e-12);
-    EXPECT_EQ(constraints.hold[nearestNode(c.state.nodes.x, {1, 0})], Hold::fixed);
-    EXPECT_EQ(constraints.hold[nearestNode(c.state.nodes.x, {1, 0.5})], Hold::slide);
+    EXPECT_EQ(constraints.type[nearestNode(c.state.nodes.x, {1, 0})], Constraint::fixed);
+    EXPECT_EQ(constraints.type[nearestNode(c.state.nodes.x, {1, 0.5})], Constraint::slide);
 }
 
 TEST(BoundaryConditions, everyPatchNeedsAKnownCondition) {
@@ -91,9 +91,9 @@ TEST(PatchTypes, tableIsSound) {
     for (const auto& type : patchTypes()) {
         EXPECT_TRUE(names.insert(type.name).second) << type.name;
         EXPECT_GT(type.meaning.size(), 5u) << type.name;
-        EXPECT_EQ(isWall(type.kind), type.wet != Hold::free) << type.name;
-        EXPECT_EQ(isWall(type.kind), type.contactLine != Hold::free) << type.name;
-        EXPECT_EQ(type.own == Hold::free, isWall(type.kind) || type.loads) << type.name;
+        EXPECT_EQ(isWall(type.kind), type.wet != Constraint::free) << type.name;
+        EXPECT_EQ(isWall(type.kind), type.contactLine != Constraint::free) << type.name;
+        EXPECT_EQ(type.own == Constraint::free, isWall(type.kind) || type.loads) << type.name;
         EXPECT_EQ(type.entries.empty(), type.read == nullptr) << type.name;
     }
     EXPECT_EQ(typeList([](const auto& type) { return type.mayMove; }, " and "), "slip, noSlip and clamped");

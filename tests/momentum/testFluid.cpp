@@ -19,7 +19,7 @@ constexpr double mu = 3;  // of irregularPair
 struct Fluid {
     TestCase c = irregularPair();
     Topology<2> topology = c.topology();
-    Patches<2> patches = makePatches<2>(c.state.mesh.fluid.nodes, topology.fluid, c.state.nodes.x);
+    SmoothingDomains<2> patches = makeSmoothingDomains<2>(c.state.mesh.fluid.nodes, topology.fluid, c.state.nodes.x);
     int n = c.state.nodes.size();
 
     /// A yield stress of 20 Pa and a flow index of 0.6.
@@ -171,7 +171,7 @@ TEST(ZigzagForce, takesEnergyFromWhatAlternates) {
     const auto topology = c.topology();
     const int n = c.state.nodes.size();
     for (const auto scheme : {Integration::nodal, Integration::elemental}) {
-        const auto patches = makePatches<2>(c.state.mesh.fluid.nodes, topology.fluid, c.state.nodes.x, scheme);
+        const auto patches = makeSmoothingDomains<2>(c.state.mesh.fluid.nodes, topology.fluid, c.state.nodes.x, scheme);
         const auto force = [&](const Points<2>& v) {
             return zigzagForce<2>(c.problem, c.state.mesh.fluid, patches, 0.01, c.state.nodes.h, v);
         };

@@ -25,11 +25,13 @@ struct SolidCase {
 
     Integration scheme = Integration::nodal;
 
-    Patches<2> patches(const Points<2>& x) const { return makePatches<2>(cells.nodes, topology.solid, x, scheme); }
+    SmoothingDomains<2> patches(const Points<2>& x) const {
+        return makeSmoothingDomains<2>(cells.nodes, topology.solid, x, scheme);
+    }
 
-    Patches<2> gradientPatches(const Nodes<2>& old, const Nodes<2>& t) const {
+    SmoothingDomains<2> gradientPatches(const Nodes<2>& old, const Nodes<2>& t) const {
         auto at = patches(t.x);
-        updateGradientPatches<2>(c.problem, cells, old, t, at);
+        updateGradientDomains<2>(c.problem, cells, old, t, at);
         return at;
     }
 

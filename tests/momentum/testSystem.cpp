@@ -24,8 +24,8 @@ TEST(MomentumSystem, solutionBalancesTheResidual) {
         const auto& x = c.state.nodes.x;
         const int n = c.state.nodes.size();
         const MidpointRule midpoint{1e-2};
-        const auto fluid = makePatches<2>(c.state.mesh.fluid.nodes, topology.fluid, x);
-        const auto solid = makePatches<2>(c.state.mesh.solid.nodes, topology.solid, x);
+        const auto fluid = makeSmoothingDomains<2>(c.state.mesh.fluid.nodes, topology.fluid, x);
+        const auto solid = makeSmoothingDomains<2>(c.state.mesh.solid.nodes, topology.solid, x);
         auto mass = fluidMass<2>(c.problem, c.state.mesh.fluid, fluid);
         const auto massOfSolid = solidMass<2>(c.problem, c.state.mesh.solid, x);
         for (int i = 0; i < n; ++i) mass[i] += massOfSolid[i];
@@ -60,7 +60,7 @@ TEST(MomentumSystem, solutionBalancesTheResidual) {
             else if (!topology.onSolid[i])
                 sum[i] += inertia[i].cwiseProduct(dv[i]);
             sum[i] = constraints.project(i, sum[i]);
-            if (constraints.hold[i] == Hold::fixed) {
+            if (constraints.type[i] == Constraint::fixed) {
                 EXPECT_EQ(dv[i].norm(), 0);
             }
         }
@@ -87,7 +87,7 @@ TEST(MomentumSystem, aFewLightNodesDoNotMakeAThickFluid) {
             }
         const auto constraints = c.constraints(topology);
         const MidpointRule midpoint{1e-3};
-        const auto fluid = makePatches<2>(c.state.mesh.fluid.nodes, topology.fluid, c.state.nodes.x);
+        const auto fluid = makeSmoothingDomains<2>(c.state.mesh.fluid.nodes, topology.fluid, c.state.nodes.x);
         const auto mass = fluidMass<2>(c.problem, c.state.mesh.fluid, fluid);
         const FluidPhase<2> phase(c.problem, c.state.mesh, topology.fluid, c.state.nodes, Integration::nodal);
         const Step<2> step{c.problem, c.state.mesh, topology, constraints, c.state.nodes, midpoint};
@@ -131,7 +131,7 @@ TEST(SurfaceStiffness, isThatOfGravityWaves) {
     // pressure of the water at rest, carried to the lifted surface: -rho g du there
     std::vector<double> p(x.size(), 0.0);
     for (std::size_t i = 0; i < p.size(); ++i) p[i] = 1000 * 9.81 * (0.5 - x[i][1]);
-    const auto patches = makePatches<2>(c.state.mesh.fluid.nodes, topology.fluid, x);
+    const auto patches = makeSmoothingDomains<2>(c.state.mesh.fluid.nodes, topology.fluid, x);
     const auto mass = fluidMass<2>(c.problem, c.state.mesh.fluid, patches);
     Points<2> R(x.size());
     for (std::size_t i = 0; i < x.size(); ++i) R[i] = -mass[i] * c.problem.gravity;

@@ -1,6 +1,6 @@
 // The free surface gives way to what was lost or gained around its nodes.
 
-#include "remesh/giveWay.hpp"
+#include "remesh/surfaceShift.hpp"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ struct Tank {
         throw std::runtime_error("no such node");
     }
     void shift() {
-        giveWay<2>(c.controls.remeshing, topology, std::vector<double>(c.state.nodes.id.size(), 0.0), 1, c.state);
+        shiftSurface<2>(c.controls.remeshing, topology, std::vector<double>(c.state.nodes.id.size(), 0.0), 1, c.state);
     }
 };
 

@@ -8,7 +8,7 @@
 #include "io/stateFiles.hpp"
 #include "solver/outputFields.hpp"
 #include "support/cases.hpp"
-#include "walls/feet.hpp"
+#include "walls/tJunctions.hpp"
 
 using namespace pfem;
 using namespace pfem::test;
@@ -95,7 +95,7 @@ TEST(LedgerFields, aFootThatLeavesHandsOver) {
     State<2> left = c.state;
     Points<2> v(n, Vec<2>::Zero());
     v[foot] = {0, 1};
-    ASSERT_TRUE(leaveFeet(c.topology(), v, left));
+    ASSERT_TRUE(leaveTJunctions(c.topology(), v, left));
     ASSERT_EQ(left.nodes.size(), n + 1);
     EXPECT_EQ(left.ledger.fields()[VolumeCause::contact][foot], 0);
     EXPECT_EQ(left.ledger.fields()[VolumeCause::contact][n], 0.25);

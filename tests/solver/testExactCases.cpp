@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "integration/nodalPatches.hpp"
+#include "integration/smoothingDomains.hpp"
 #include "support/cases.hpp"
 
 using namespace pfem;
@@ -207,7 +207,7 @@ TEST(ImpulsiveStart, energyDoesNotGrow) {
                      water, "tank { type slip; }", {0, 0});
         const auto energy = [&] {
             const auto topology = c.topology();
-            const auto patches = makePatches<2>(c.state.mesh.fluid.nodes, topology.fluid, c.state.nodes.x);
+            const auto patches = makeSmoothingDomains<2>(c.state.mesh.fluid.nodes, topology.fluid, c.state.nodes.x);
             double sum = 0;
             for (int i = 0; i < c.state.nodes.size(); ++i)
                 sum += 500 * patches.volume[i] * c.state.nodes.v[i].squaredNorm();

@@ -14,7 +14,7 @@ namespace {
 /// Nodal masses, from the operators of the momentum equation.
 std::vector<double> massOf(const TestCase& c) {
     const auto topology = c.topology();
-    const auto fluid = makePatches<2>(c.state.mesh.fluid.nodes, topology.fluid, c.state.nodes.x);
+    const auto fluid = makeSmoothingDomains<2>(c.state.mesh.fluid.nodes, topology.fluid, c.state.nodes.x);
     return fluidMass<2>(c.problem, c.state.mesh.fluid, fluid);
 }
 

@@ -51,8 +51,8 @@ class StateVector {
         }
     }
     static std::vector<Vec<2>> freeDirections(const NodeConstraints<2>& constraints, int i) {
-        if (constraints.hold[i] == Hold::fixed) return {};
-        if (constraints.hold[i] == Hold::free) return {{1, 0}, {0, 1}};
+        if (constraints.type[i] == Constraint::fixed) return {};
+        if (constraints.type[i] == Constraint::free) return {{1, 0}, {0, 1}};
         return {Vec<2>(-constraints.normal[i][1], constraints.normal[i][0])};
     }
 
@@ -113,7 +113,7 @@ public:
         for (int i = 0; i < rest_.size(); ++i) {
             if (!topology.onSolid[i]) continue;
             solids = true;
-            held |= constraints.hold[i] != Hold::free;
+            held |= constraints.type[i] != Constraint::free;
             shifted.x[i][0] += rest_.h[i];
         }
         if (solids && !held) found.push_back(of(shifted));

@@ -1,5 +1,6 @@
 #pragma once
-// Nodal patches (13)-(17), (20)-(21): volume and gradients of every node in ONE material.
+// Smoothing domains of the nodes (13)-(17), (20)-(21), the patches of the paper: volume and gradients of every node in
+// ONE material.
 //
 // Omega_I = sum_e |e|/(d+1),   Omega_I G_IJ = sum_e |e|/(d+1) grad N_J^e   over the elements e around I.
 // The gradient rows are never stored: every operator below is one pass over elements and one over nodes, each
@@ -17,7 +18,7 @@ namespace pfem {
 enum class Integration { nodal, elemental };
 
 template <int Dim>
-struct Patches {
+struct SmoothingDomains {
     const std::vector<Simplex<Dim>>* cells = nullptr;
     const NodeToCells* around = nullptr;
     std::vector<SimplexGeometry<Dim>> element;  // per cell
@@ -31,37 +32,37 @@ struct Patches {
 
 /// Patches over `cells` (kept by reference), evaluated at the positions x.
 template <int Dim>
-Patches<Dim> makePatches(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around, const Points<Dim>& x,
-                         Integration scheme = Integration::nodal);
+SmoothingDomains<Dim> makeSmoothingDomains(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around,
+                                           const Points<Dim>& x, Integration scheme = Integration::nodal);
 
 /// Volumes and gradients in the configuration x.
 template <int Dim>
-void updatePatches(Patches<Dim>& patches, const Points<Dim>& x);
+void updateSmoothingDomains(SmoothingDomains<Dim>& domains, const Points<Dim>& x);
 
 /// Volumes of the nodes from those of the elements.
 template <int Dim>
-void updateVolumes(Patches<Dim>& patches);
+void updateVolumes(SmoothingDomains<Dim>& domains);
 
 /// grad v in every element: L_ij = dv_i/dx_j.
 template <int Dim>
-std::vector<Tensor<Dim>> elementGradient(const Patches<Dim>& patches, const Points<Dim>& v);
+std::vector<Tensor<Dim>> elementGradient(const SmoothingDomains<Dim>& domains, const Points<Dim>& v);
 
 /// Nodal mean of an element field: (1/Omega_I) sum_e |e|/(d+1) f_e; zero outside the material. With
 /// f = grad v this is L_I = sum_J v_J (x) G_IJ. Value: Tensor or Stress.
 template <int Dim, class Value>
-std::vector<Value> nodalMean(const Patches<Dim>& patches, const std::vector<Value>& field);
+std::vector<Value> nodalMean(const SmoothingDomains<Dim>& domains, const std::vector<Value>& field);
 
 /// force_J += sum_e |e| S_e grad N_J: the nodal force that balances the element stress S.
 template <int Dim>
-void addInternalForce(const Patches<Dim>& patches, const std::vector<Tensor<Dim>>& stress, Points<Dim>& force);
+void addInternalForce(const SmoothingDomains<Dim>& domains, const std::vector<Tensor<Dim>>& stress, Points<Dim>& force);
 
 /// force_J -= sum_e |e| p_e grad N_J with p_e the mean of the cell's nodes: the force of a pressure.
 template <int Dim>
-void addPressureForce(const Patches<Dim>& patches, const std::vector<double>& p, Points<Dim>& force);
+void addPressureForce(const SmoothingDomains<Dim>& domains, const std::vector<double>& p, Points<Dim>& force);
 
 /// Element stress that makes addInternalForce equal to sum_I Omega_I sigma_I G_IJ: the mean of the cell's nodes.
 /// Value: Tensor, Stress or double.
 template <int Dim, class Value>
-std::vector<Value> elementMean(const Patches<Dim>& patches, const std::vector<Value>& nodal);
+std::vector<Value> elementMean(const SmoothingDomains<Dim>& domains, const std::vector<Value>& nodal);
 
 }  // namespace pfem

@@ -1,6 +1,6 @@
 // Nodal patches on irregular meshes, two materials that share an interface.
 
-#include "integration/nodalPatches.hpp"
+#include "integration/smoothingDomains.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,14 +15,14 @@ namespace {
 struct Pair {
     TestCase c = irregularPair();
     Topology<2> topology = c.topology();
-    Patches<2> fluid = makePatches<2>(c.state.mesh.fluid.nodes, topology.fluid, c.state.nodes.x);
-    Patches<2> solid = makePatches<2>(c.state.mesh.solid.nodes, topology.solid, c.state.nodes.x);
-    std::array<const Patches<2>*, 2> both{&fluid, &solid};
+    SmoothingDomains<2> fluid = makeSmoothingDomains<2>(c.state.mesh.fluid.nodes, topology.fluid, c.state.nodes.x);
+    SmoothingDomains<2> solid = makeSmoothingDomains<2>(c.state.mesh.solid.nodes, topology.solid, c.state.nodes.x);
+    std::array<const SmoothingDomains<2>*, 2> both{&fluid, &solid};
     const Points<2>& x = c.state.nodes.x;
     int n = c.state.nodes.size();
 
     /// Nodes of boundary faces of one material.
-    std::vector<unsigned char> boundary(const Patches<2>& patches) const {
+    std::vector<unsigned char> boundary(const SmoothingDomains<2>& patches) const {
         std::vector<unsigned char> flag(n, 0);
         for (const auto& face : boundaryFaces<2>(*patches.cells, *patches.around))
             for (int node : face.nodes) flag[node] = 1;
@@ -188,7 +188,7 @@ TEST(Patches, uniformRateIsExactInThreeDimensions) {
     const std::vector<Simplex<3>> cells = {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7},
                                            {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}};
     const auto around = nodeToCells<3>(cells, 8);
-    const auto patches = makePatches<3>(cells, around, x);
+    const auto patches = makeSmoothingDomains<3>(cells, around, x);
     Tensor<3> L;
     L << 0.1, -0.5, 0.3, 0.7, 0.2, -0.9, 0.4, 0.6, -0.8;
     Points<3> v;

@@ -14,23 +14,23 @@ void standOnWalls(const Mesh<2>& mesh, const std::vector<bool>& isWall, Nodes<2>
 /// Where a wet foot is about to leave the face on which it stands, a new node of the fluid takes its place in the
 /// fluid's cells and slides on that face: the corner goes with its wall, the water stays. `v`: velocities to come.
 /// True if there was such a foot.
-bool leaveFeet(const Topology<2>& topology, const Points<2>& v, State<2>& state);
+bool leaveTJunctions(const Topology<2>& topology, const Points<2>& v, State<2>& state);
 
 /// Free ends of walls that move along their own face, as the lower edge of a gate does that is being lifted. They
 /// would drag the fluid along; as long as they move so, they are no nodes of its mesh.
 std::vector<int> looseEnds(const Mesh<2>& mesh, const std::vector<bool>& isWall, const Nodes<2>& nodes);
 
-/// Feet of other walls, which nothing that slides on the same face can pass.
-class Feet {
+/// TJunctions of other walls, which nothing that slides on the same face can pass.
+class TJunctions {
 public:
-    Feet(const Topology<2>& topology, const Nodes<2>& nodes);
+    TJunctions(const Topology<2>& topology, const Nodes<2>& nodes);
 
     /// Where on face w a node stops that was at xOld and has come to s.
     double stop(const Topology<2>& topology, int w, const Points<2>& xOld, const Nodes<2>& nodes, int i,
                 double s) const;
 
 private:
-    std::vector<int> feet_;
+    std::vector<int> junctions_;
 };
 
 }  // namespace pfem

@@ -15,7 +15,7 @@ namespace pfem {
 /// are those of the state; `returned`: what this step has already given to each node. chargeMotion charges the
 /// displacement with the rest of the step's motion.
 template <int Dim>
-void giveWay(const RemeshingControls& controls, const Topology<Dim>& topology, const std::vector<double>& returned,
-             double share, State<Dim>& state);
+void shiftSurface(const RemeshingControls& controls, const Topology<Dim>& topology, const std::vector<double>& returned,
+                  double share, State<Dim>& state);
 
 }  // namespace pfem

@@ -1,4 +1,4 @@
-#include "walls/feet.hpp"
+#include "walls/tJunctions.hpp"
 
 #include <cmath>
 #include <utility>
@@ -33,7 +33,7 @@ void standOnWalls(const Mesh<2>& mesh, const std::vector<bool>& isWall, Nodes<2>
         }
 }
 
-bool leaveFeet(const Topology<2>& topology, const Points<2>& v, State<2>& state) {
+bool leaveTJunctions(const Topology<2>& topology, const Points<2>& v, State<2>& state) {
     Nodes<2>& nodes = state.nodes;
     const int n = nodes.size();
     std::vector<int> heir(n, -1);
@@ -75,14 +75,14 @@ std::vector<int> looseEnds(const Mesh<2>& mesh, const std::vector<bool>& isWall,
     return ends;
 }
 
-Feet::Feet(const Topology<2>& topology, const Nodes<2>& nodes) {
+TJunctions::TJunctions(const Topology<2>& topology, const Nodes<2>& nodes) {
     for (int i = 0; i < nodes.size(); ++i)
-        if (topology.corner[i] && nodes.wall[i] >= 0) feet_.push_back(i);
+        if (topology.corner[i] && nodes.wall[i] >= 0) junctions_.push_back(i);
 }
 
-double Feet::stop(const Topology<2>& topology, int w, const Points<2>& xOld, const Nodes<2>& nodes, int i,
-                  double s) const {
-    for (int foot : feet_) {
+double TJunctions::stop(const Topology<2>& topology, int w, const Points<2>& xOld, const Nodes<2>& nodes, int i,
+                        double s) const {
+    for (int foot : junctions_) {
         if (nodes.wall[foot] != w) continue;
         const WallLine now(nodes.x, topology.walls[w].nodes), before(xOld, topology.walls[w].nodes);
         const double place = now.along(nodes.x[foot]);

@@ -1,4 +1,4 @@
-#include "remesh/giveWay.hpp"
+#include "remesh/surfaceShift.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -80,8 +80,8 @@ void holdBack(const NodeToCells& around, const std::vector<Simplex<Dim>>& cells,
 }  // namespace
 
 template <int Dim>
-void giveWay(const RemeshingControls& controls, const Topology<Dim>& topology, const std::vector<double>& returned,
-             double share, State<Dim>& state) {
+void shiftSurface(const RemeshingControls& controls, const Topology<Dim>& topology, const std::vector<double>& returned,
+                  double share, State<Dim>& state) {
     if (controls.surfaceShift == 0) return;
     Nodes<Dim>& nodes = state.nodes;
     const auto& cells = state.mesh.fluid.nodes;
@@ -90,7 +90,7 @@ void giveWay(const RemeshingControls& controls, const Topology<Dim>& topology, c
     for (int i = 0; i < nodes.size(); ++i) lost[i] = (lost[i] - returned[i]) * share;
     const auto shared = sharedAlongSurface<Dim>(topology, lost);
     Points<Dim> shifted = nodes.x;
-    forEach(static_cast<int>(surface.size()), [&](int k) {
+    parallelFor(static_cast<int>(surface.size()), [&](int k) {
         const int i = surface[k];
         shifted[i] +=
             shift<Dim>(shared[i], outwardArea<Dim>(topology, cells, nodes, i), controls.surfaceShift * nodes.h[i]);
@@ -99,6 +99,7 @@ void giveWay(const RemeshingControls& controls, const Topology<Dim>& topology, c
     nodes.x = std::move(shifted);
 }
 
-template void giveWay<2>(const RemeshingControls&, const Topology<2>&, const std::vector<double>&, double, State<2>&);
+template void shiftSurface<2>(const RemeshingControls&, const Topology<2>&, const std::vector<double>&, double,
+                              State<2>&);
 
 }  // namespace pfem

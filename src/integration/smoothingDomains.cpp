@@ -1,0 +1,135 @@
+#include "integration/smoothingDomains.hpp"
+
+#include "base/parallel.hpp"
+
+namespace pfem {
+
+template <int Dim>
+SmoothingDomains<Dim> makeSmoothingDomains(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around,
+                                           const Points<Dim>& x, Integration scheme) {
+    SmoothingDomains<Dim> domains;
+    domains.scheme = scheme;
+    domains.cells = &cells;
+    domains.around = &around;
+    domains.element.resize(cells.size());
+    domains.volume.resize(x.size());
+    updateSmoothingDomains(domains, x);
+    return domains;
+}
+
+template <int Dim>
+void updateSmoothingDomains(SmoothingDomains<Dim>& domains, const Points<Dim>& x) {
+    const int nCells = domains.nCells();
+    if (nCells == 0) return;
+    const int nNodes = domains.nNodes();
+    const NodeToCells& around = *domains.around;
+#pragma omp parallel if (nCells > shortLoop)
+    {
+#pragma omp for schedule(static)
+        for (int e = 0; e < nCells; ++e) domains.element[e] = simplexGeometry<Dim>(x, domains.cell(e));
+#pragma omp for schedule(static)
+        for (int i = 0; i < nNodes; ++i) {
+            double sum = 0;
+            for (int s = around.start[i]; s < around.start[i + 1]; ++s) sum += domains.element[around.cell[s]].measure;
+            domains.volume[i] = sum / (Dim + 1);
+        }
+    }
+}
+
+template <int Dim>
+void updateVolumes(SmoothingDomains<Dim>& domains) {
+    const NodeToCells& around = *domains.around;
+    parallelFor(domains.nNodes(), [&](int i) {
+        double sum = 0;
+        for (int s = around.start[i]; s < around.start[i + 1]; ++s) sum += domains.element[around.cell[s]].measure;
+        domains.volume[i] = sum / (Dim + 1);
+    });
+}
+
+template <int Dim>
+std::vector<Tensor<Dim>> elementGradient(const SmoothingDomains<Dim>& domains, const Points<Dim>& v) {
+    std::vector<Tensor<Dim>> L(domains.nCells());
+#pragma omp parallel for schedule(static) if (domains.nCells() > shortLoop)
+    for (int e = 0; e < domains.nCells(); ++e) {
+        L[e].setZero();
+        for (int k = 0; k <= Dim; ++k) L[e] += v[domains.cell(e)[k]] * domains.element[e].gradN[k].transpose();
+    }
+    return L;
+}
+
+template <int Dim, class Value>
+std::vector<Value> nodalMean(const SmoothingDomains<Dim>& domains, const std::vector<Value>& field) {
+    const NodeToCells& around = *domains.around;
+    std::vector<Value> mean(domains.nNodes());
+#pragma omp parallel for schedule(static) if (domains.nCells() > shortLoop)
+    for (int i = 0; i < domains.nNodes(); ++i) {
+        mean[i].setZero();
+        if (around.count(i) == 0) continue;
+        for (int s = around.start[i]; s < around.start[i + 1]; ++s)
+            mean[i] += domains.element[around.cell[s]].measure * field[around.cell[s]];
+        mean[i] /= (Dim + 1) * domains.volume[i];
+    }
+    return mean;
+}
+
+template <int Dim, class Value>
+std::vector<Value> elementMean(const SmoothingDomains<Dim>& domains, const std::vector<Value>& nodal) {
+    std::vector<Value> mean(domains.nCells());
+#pragma omp parallel for schedule(static) if (domains.nCells() > shortLoop)
+    for (int e = 0; e < domains.nCells(); ++e) {
+        mean[e] = nodal[domains.cell(e)[0]];
+        for (int k = 1; k <= Dim; ++k) mean[e] += nodal[domains.cell(e)[k]];
+        mean[e] /= Dim + 1;
+    }
+    return mean;
+}
+
+template <int Dim>
+void addInternalForce(const SmoothingDomains<Dim>& domains, const std::vector<Tensor<Dim>>& stress,
+                      Points<Dim>& force) {
+    const NodeToCells& around = *domains.around;
+    if (domains.nCells() == 0) return;
+#pragma omp parallel for schedule(static) if (domains.nCells() > shortLoop)
+    for (int i = 0; i < domains.nNodes(); ++i)
+        for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
+            const auto& g = domains.element[around.cell[s]];
+            force[i] += g.measure * (stress[around.cell[s]] * g.gradN[around.corner[s]]);
+        }
+}
+
+template <int Dim>
+void addPressureForce(const SmoothingDomains<Dim>& domains, const std::vector<double>& p, Points<Dim>& force) {
+    const NodeToCells& around = *domains.around;
+    std::vector<double> whole(domains.nCells());  // |e| times the mean pressure
+#pragma omp parallel if (domains.nCells() > shortLoop)
+    {
+#pragma omp for schedule(static)
+        for (int e = 0; e < domains.nCells(); ++e) {
+            double sum = 0;
+            for (int node : domains.cell(e)) sum += p[node];
+            whole[e] = domains.element[e].measure * sum / (Dim + 1);
+        }
+#pragma omp for schedule(static)
+        for (int i = 0; i < domains.nNodes(); ++i)
+            for (int s = around.start[i]; s < around.start[i + 1]; ++s)
+                force[i] -= whole[around.cell[s]] * domains.element[around.cell[s]].gradN[around.corner[s]];
+    }
+}
+
+#define PFEM_INSTANTIATE(D)                                                                                    \
+    template SmoothingDomains<D> makeSmoothingDomains<D>(const std::vector<Simplex<D>>&, const NodeToCells&,   \
+                                                         const Points<D>&, Integration);                       \
+    template void updateSmoothingDomains<D>(SmoothingDomains<D>&, const Points<D>&);                           \
+    template void updateVolumes<D>(SmoothingDomains<D>&);                                                      \
+    template std::vector<Tensor<D>> elementGradient<D>(const SmoothingDomains<D>&, const Points<D>&);          \
+    template std::vector<Tensor<D>> nodalMean<D>(const SmoothingDomains<D>&, const std::vector<Tensor<D>>&);   \
+    template std::vector<Stress<D>> nodalMean<D>(const SmoothingDomains<D>&, const std::vector<Stress<D>>&);   \
+    template std::vector<Tensor<D>> elementMean<D>(const SmoothingDomains<D>&, const std::vector<Tensor<D>>&); \
+    template std::vector<Stress<D>> elementMean<D>(const SmoothingDomains<D>&, const std::vector<Stress<D>>&); \
+    template std::vector<double> elementMean<D>(const SmoothingDomains<D>&, const std::vector<double>&);       \
+    template void addPressureForce<D>(const SmoothingDomains<D>&, const std::vector<double>&, Points<D>&);     \
+    template void addInternalForce<D>(const SmoothingDomains<D>&, const std::vector<Tensor<D>>&, Points<D>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
+
+}  // namespace pfem
