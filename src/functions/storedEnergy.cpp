@@ -127,9 +127,9 @@ EnergyPowers energyPowers(const Problem<Dim>& problem, const Controls& controls,
     const auto aroundSolid = nodeToCells<Dim>(mesh.solid.nodes, nodes.size());
     const auto solid = makeSmoothingDomains<Dim>(mesh.solid.nodes, aroundSolid, nodes.x, controls.integration.scheme());
     const SolidStress<Dim> none{std::vector<Stress<Dim>>(nStressPoints<Dim>(solid), Stress<Dim>::Zero()), {}, {}};
-    powers.damper =
-        contraction<Dim>(solid, solidElementStress<Dim>(problem, controls.solid, mesh.solid, solid, solid, none, nodes),
-                         elementGradient<Dim>(solid, nodes.v));
+    powers.damper = contraction<Dim>(
+        solid, solidElementStress<Dim>({problem, controls.solid, mesh.solid}, solid, solid, none, nodes),
+        elementGradient<Dim>(solid, nodes.v));
     const auto walls = wallPower<Dim>(problemAt<Dim>(state.time.value, problem), controls, state);
     powers.walls = walls.walls;
     powers.viscous += walls.viscous;

@@ -110,9 +110,9 @@ SolidDofs<Dim> solidDofs(const NodeToCells& solid, const NodeConstraints<Dim>& c
 }
 
 template <int Dim>
-SymmetricMatrix solidMatrix(const Problem<Dim>& problem, const SolidControls& controls, const Cells<Dim>& cells,
-                            const SmoothingDomains<Dim>& domains, const SolidDofs<Dim>& dofs,
+SymmetricMatrix solidMatrix(const Solids<Dim>& solids, const SmoothingDomains<Dim>& domains, const SolidDofs<Dim>& dofs,
                             const Points<Dim>& inertia, const std::vector<double>& h, const MidpointRule& midpoint) {
+    const auto& [problem, controls, cells] = solids;
     const bool withPressure = controls.withPressure();
     SymmetricMatrix A = emptySolidMatrix<Dim>(withPressure ? withNodalPoints<Dim>(domains) : domains, dofs);
     for (std::size_t k = 0; k < dofs.node.size(); ++k)
@@ -149,9 +149,8 @@ SymmetricMatrix solidMatrix(const Problem<Dim>& problem, const SolidControls& co
 
 #define PFEM_INSTANTIATE(D)                                                                                    \
     template SolidDofs<D> solidDofs<D>(const NodeToCells&, const NodeConstraints<D>&);                         \
-    template SymmetricMatrix solidMatrix<D>(const Problem<D>&, const SolidControls&, const Cells<D>&,          \
-                                            const SmoothingDomains<D>&, const SolidDofs<D>&, const Points<D>&, \
-                                            const std::vector<double>&, const MidpointRule&);
+    template SymmetricMatrix solidMatrix<D>(const Solids<D>&, const SmoothingDomains<D>&, const SolidDofs<D>&, \
+                                            const Points<D>&, const std::vector<double>&, const MidpointRule&);
 PFEM_INSTANTIATE(2)
 
 }  // namespace pfem

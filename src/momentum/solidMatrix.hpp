@@ -5,7 +5,7 @@
 #include "integration/midpointRule.hpp"
 #include "integration/stressPoints.hpp"
 #include "linear/symmetricMatrix.hpp"
-#include "momentum/controls.hpp"
+#include "momentum/solids.hpp"
 
 namespace pfem {
 
@@ -35,8 +35,7 @@ SolidDofs<Dim> solidDofs(const NodeToCells& solid, const NodeConstraints<Dim>& c
 /// K are one. velocityPressure: c K_points has C less its volumetric part alone (deviatoric for laws in rates), the
 /// nodal domains give that, volumeModulus I (x) I.
 template <int Dim>
-SymmetricMatrix solidMatrix(const Problem<Dim>& problem, const SolidControls& controls, const Cells<Dim>& cells,
-                            const SmoothingDomains<Dim>& domains, const SolidDofs<Dim>& dofs,
+SymmetricMatrix solidMatrix(const Solids<Dim>& solids, const SmoothingDomains<Dim>& domains, const SolidDofs<Dim>& dofs,
                             const Points<Dim>& inertia, const std::vector<double>& h, const MidpointRule& midpoint);
 
 }  // namespace pfem

@@ -13,14 +13,14 @@ SolidPhase<Dim>::SolidPhase(const Problem<Dim>& ofProblem, const SolidControls& 
       domains(makeSmoothingDomains<Dim>(cells.nodes, around, nodes.x, scheme)),
       gradients(domains),
       mass(solidMass<Dim>(problem, cells, nodes.X)),
-      elementStress(storedElementStress<Dim>(problem, controls, cells, domains, nodes)) {}
+      elementStress(storedElementStress<Dim>(solids(), domains, nodes)) {}
 
 template <int Dim>
 void SolidPhase<Dim>::moveTo(const Nodes<Dim>& old, const Nodes<Dim>& end, double dt) {
     updateSmoothingDomains<Dim>(domains, end.x);
     updateGradientDomains<Dim>(problem, cells, old, end, gradients);
-    stress = solidStress<Dim>(problem, controls, cells, gradients, old, end, dt);
-    elementStress = solidElementStress<Dim>(problem, controls, cells, gradients, domains, stress, end);
+    stress = solidStress<Dim>(solids(), gradients, old, end, dt);
+    elementStress = solidElementStress<Dim>(solids(), gradients, domains, stress, end);
 }
 
 template struct SolidPhase<2>;

@@ -22,7 +22,9 @@ struct SolidPhase {
     SolidPhase(const Problem<Dim>& problem, const SolidControls& controls, const Mesh<Dim>& mesh,
                const NodeToCells& around, const Nodes<Dim>& nodes, Integration scheme);
 
-    /// Patches and stress of the iterate `end`, dt after `old`.
+    Solids<Dim> solids() const { return {problem, controls, cells}; }
+
+    /// Domains and stress of the iterate `end`, dt after `old`.
     void moveTo(const Nodes<Dim>& old, const Nodes<Dim>& end, double dt);
 };
 

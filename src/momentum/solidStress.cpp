@@ -222,9 +222,9 @@ std::vector<double> volumeRatio(const SmoothingDomains<Dim>& reference, const Po
 }
 
 template <int Dim>
-SolidStress<Dim> solidStress(const Problem<Dim>& problem, const SolidControls& controls, const Cells<Dim>& cells,
-                             const SmoothingDomains<Dim>& domains, const Nodes<Dim>& old, const Nodes<Dim>& trial,
-                             double dt) {
+SolidStress<Dim> solidStress(const Solids<Dim>& solids, const SmoothingDomains<Dim>& domains, const Nodes<Dim>& old,
+                             const Nodes<Dim>& trial, double dt) {
+    const auto& [problem, controls, cells] = solids;
     SolidStress<Dim> stress;
     stress.point = storedAtPoints<Dim>(domains, old.sigma, cells.sigma);
     if (domains.nCells() > 0) {
@@ -248,10 +248,10 @@ SolidStress<Dim> solidStress(const Problem<Dim>& problem, const SolidControls& c
 }
 
 template <int Dim>
-std::vector<Tensor<Dim>> solidElementStress(const Problem<Dim>& problem, const SolidControls& controls,
-                                            const Cells<Dim>& cells, const SmoothingDomains<Dim>& domains,
+std::vector<Tensor<Dim>> solidElementStress(const Solids<Dim>& solids, const SmoothingDomains<Dim>& domains,
                                             const SmoothingDomains<Dim>& end, const SolidStress<Dim>& stress,
                                             const Nodes<Dim>& trial) {
+    const auto& [problem, controls, cells] = solids;
     if (end.nCells() == 0) return {};
     auto sum = KindsOfLaws<Dim>(problem, cells).perCell([&](Kinematics kind) {
         return kind == Kinematics::reference ? hyperelasticElementStress<Dim>(domains, stress.point, trial.x)
@@ -270,16 +270,16 @@ std::vector<Tensor<Dim>> solidElementStress(const Problem<Dim>& problem, const S
 }
 
 template <int Dim>
-std::vector<Tensor<Dim>> storedElementStress(const Problem<Dim>& problem, const SolidControls& controls,
-                                             const Cells<Dim>& cells, const SmoothingDomains<Dim>& domains,
+std::vector<Tensor<Dim>> storedElementStress(const Solids<Dim>& solids, const SmoothingDomains<Dim>& domains,
                                              const Nodes<Dim>& nodes) {
+    const auto& [problem, controls, cells] = solids;
     auto gradients = domains;
     updateGradientDomains<Dim>(problem, cells, nodes, nodes, gradients);
     // a hyperelastic stress follows from the positions; the others are what is stored
     SolidStress<Dim> stress{storedAtPoints<Dim>(domains, nodes.sigma, cells.sigma), {}, {}};
     const KindsOfLaws<Dim> laws(problem, cells);
     if (laws.has(Kinematics::reference)) {
-        auto ofPositions = solidStress<Dim>(problem, controls, cells, gradients, nodes, nodes, 0);
+        auto ofPositions = solidStress<Dim>(solids, gradients, nodes, nodes, 0);
         forMaterialRuns<Dim>(domains, cells, [&](int material, int first, int last) {
             if (problem.solid(material).law->kinematics() == Kinematics::reference)
                 std::copy(ofPositions.point.begin() + first, ofPositions.point.begin() + last,
@@ -290,7 +290,7 @@ std::vector<Tensor<Dim>> storedElementStress(const Problem<Dim>& problem, const 
             if (domains.around->count(i) > 0 && !laws.isTotal(domains.around->cell[domains.around->start[i]]))
                 stress.pressure[i] = 0;
     }
-    return solidElementStress<Dim>(problem, controls, cells, gradients, domains, stress, nodes);
+    return solidElementStress<Dim>(solids, gradients, domains, stress, nodes);
 }
 
 template <int Dim>
@@ -303,19 +303,19 @@ void storeSolidStress(const SmoothingDomains<Dim>& domains, SolidStress<Dim> str
         cell[e] = withPressure<Dim>(cell[e], cellMean<Dim>(domains, stress.pressure, static_cast<int>(e)));
 }
 
-#define PFEM_INSTANTIATE(D)                                                                                          \
-    template const Solid& solidMaterial<D>(const Problem<D>&, const Cells<D>&, const SmoothingDomains<D>&, int);     \
-    template std::vector<double> volumeRatio<D>(const SmoothingDomains<D>&, const Points<D>&);                       \
-    template void updateGradientDomains<D>(const Problem<D>&, const Cells<D>&, const Nodes<D>&, const Nodes<D>&,     \
-                                           SmoothingDomains<D>&);                                                    \
-    template SolidStress<D> solidStress<D>(const Problem<D>&, const SolidControls&, const Cells<D>&,                 \
-                                           const SmoothingDomains<D>&, const Nodes<D>&, const Nodes<D>&, double);    \
-    template std::vector<Tensor<D>> solidElementStress<D>(const Problem<D>&, const SolidControls&, const Cells<D>&,  \
-                                                          const SmoothingDomains<D>&, const SmoothingDomains<D>&,    \
-                                                          const SolidStress<D>&, const Nodes<D>&);                   \
-    template std::vector<Tensor<D>> storedElementStress<D>(const Problem<D>&, const SolidControls&, const Cells<D>&, \
-                                                           const SmoothingDomains<D>&, const Nodes<D>&);             \
-    template void storeSolidStress<D>(const SmoothingDomains<D>&, SolidStress<D>, std::vector<Stress<D>>&,           \
+#define PFEM_INSTANTIATE(D)                                                                                      \
+    template const Solid& solidMaterial<D>(const Problem<D>&, const Cells<D>&, const SmoothingDomains<D>&, int); \
+    template std::vector<double> volumeRatio<D>(const SmoothingDomains<D>&, const Points<D>&);                   \
+    template void updateGradientDomains<D>(const Problem<D>&, const Cells<D>&, const Nodes<D>&, const Nodes<D>&, \
+                                           SmoothingDomains<D>&);                                                \
+    template SolidStress<D> solidStress<D>(const Solids<D>&, const SmoothingDomains<D>&, const Nodes<D>&,        \
+                                           const Nodes<D>&, double);                                             \
+    template std::vector<Tensor<D>> solidElementStress<D>(const Solids<D>&, const SmoothingDomains<D>&,          \
+                                                          const SmoothingDomains<D>&, const SolidStress<D>&,     \
+                                                          const Nodes<D>&);                                      \
+    template std::vector<Tensor<D>> storedElementStress<D>(const Solids<D>&, const SmoothingDomains<D>&,         \
+                                                           const Nodes<D>&);                                     \
+    template void storeSolidStress<D>(const SmoothingDomains<D>&, SolidStress<D>, std::vector<Stress<D>>&,       \
                                       std::vector<Stress<D>>&);
 PFEM_INSTANTIATE(2)
 

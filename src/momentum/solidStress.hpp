@@ -4,7 +4,7 @@
 #include "conditions/problem.hpp"
 #include "integration/midpointRule.hpp"
 #include "integration/stressPoints.hpp"
-#include "momentum/controls.hpp"
+#include "momentum/solids.hpp"
 
 namespace pfem {
 
@@ -40,23 +40,20 @@ struct SolidStress {
 /// energy sum_p Omega_p W_s(F_p) + sum_I Omega_I0 U(Omega_I/Omega_I0).
 ///   domains: updateGradientDomains
 template <int Dim>
-SolidStress<Dim> solidStress(const Problem<Dim>& problem, const SolidControls& controls, const Cells<Dim>& cells,
-                             const SmoothingDomains<Dim>& domains, const Nodes<Dim>& old, const Nodes<Dim>& trial,
-                             double dt);
+SolidStress<Dim> solidStress(const Solids<Dim>& solids, const SmoothingDomains<Dim>& domains, const Nodes<Dim>& old,
+                             const Nodes<Dim>& trial, double dt);
 
 /// Element stress that makes the nodal force from the points' stress (fromPoints) and the pressure, plus the damper's
 /// tau_s C : (d_e - fromPoints(d)_e), which vanishes for linear velocity fields and for elemental integration.
 ///   domains: updateGradientDomains;  end: at trial.x
 template <int Dim>
-std::vector<Tensor<Dim>> solidElementStress(const Problem<Dim>& problem, const SolidControls& controls,
-                                            const Cells<Dim>& cells, const SmoothingDomains<Dim>& domains,
+std::vector<Tensor<Dim>> solidElementStress(const Solids<Dim>& solids, const SmoothingDomains<Dim>& domains,
                                             const SmoothingDomains<Dim>& end, const SolidStress<Dim>& stress,
                                             const Nodes<Dim>& trial);
 
 /// The same for a state as it is stored, with the domains at its positions.
 template <int Dim>
-std::vector<Tensor<Dim>> storedElementStress(const Problem<Dim>& problem, const SolidControls& controls,
-                                             const Cells<Dim>& cells, const SmoothingDomains<Dim>& domains,
+std::vector<Tensor<Dim>> storedElementStress(const Solids<Dim>& solids, const SmoothingDomains<Dim>& domains,
                                              const Nodes<Dim>& nodes);
 
 /// Store the accepted stress at nodes and, elemental, in cells: sigma = s - p I; see storeFromPoints.

@@ -42,7 +42,7 @@ struct Coupled {
         auto mass = fluidMass<2>(c.problem, c.state.mesh.fluid, fluid);
         const auto more = solidMass<2>(c.problem, c.state.mesh.solid, x);
         for (int i = 0; i < n; ++i) mass[i] += more[i];
-        return pfem::solidMatrix<2>(c.problem, {}, c.state.mesh.solid, solid, dofs,
+        return pfem::solidMatrix<2>({c.problem, c.controls.solid, c.state.mesh.solid}, solid, dofs,
                                     matrixInertia<2>(mass, Points<2>(mass.size(), Vec<2>::Zero()), midpoint),
                                     c.state.nodes.h, midpoint);
     }

@@ -48,12 +48,12 @@ struct SolidCase {
     }
     Trial stressOf(const SolidControls& controls, const Nodes<2>& old, const Nodes<2>& t, double dt) const {
         const auto gradients = gradientPatches(old, t);
-        return {t, solidStress<2>(c.problem, controls, cells, gradients, old, t, dt)};
+        return {t, solidStress<2>({c.problem, controls, cells}, gradients, old, t, dt)};
     }
     Points<2> force(const SolidControls& controls, const Nodes<2>& old, const Trial& t) const {
         Points<2> f(n, Vec<2>::Zero());
         const auto gradients = gradientPatches(old, t.nodes), end = patches(t.nodes.x);
-        addInternalForce<2>(end, solidElementStress<2>(c.problem, controls, cells, gradients, end, t.stress, t.nodes),
+        addInternalForce<2>(end, solidElementStress<2>({c.problem, controls, cells}, gradients, end, t.stress, t.nodes),
                             f);
         return f;
     }
@@ -88,7 +88,7 @@ TEST_P(SolidTangent, isTheDerivativeOfTheResidual) {
     const auto mass = solidMass<2>(s.c.problem, s.cells, s.c.state.nodes.X);
     const auto& old = s.c.state.nodes;
     const auto dofs = solidDofs<2>(s.topology.solid, s.constraints);
-    const auto A = solidMatrix<2>(s.c.problem, controls, s.cells, s.patches(old.x), dofs,
+    const auto A = solidMatrix<2>({s.c.problem, controls, s.cells}, s.patches(old.x), dofs,
                                   matrixInertia<2>(mass, Points<2>(s.n, Vec<2>::Zero()), midpoint), old.h, midpoint);
 
     Points<2> w = randomVectors(s.n, 5);

@@ -33,8 +33,8 @@ TEST(MomentumSystem, solutionBalancesTheResidual) {
         Points<2> positive = randomVectors(n, 6);
         for (auto& u : positive) u = 1e3 * u.cwiseAbs();
         const auto inertia = matrixInertia<2>(mass, positive, midpoint);
-        const auto A =
-            solidMatrix<2>(c.problem, {}, c.state.mesh.solid, solid, dofs, inertia, c.state.nodes.h, midpoint);
+        const auto A = solidMatrix<2>({c.problem, c.controls.solid, c.state.mesh.solid}, solid, dofs, inertia,
+                                      c.state.nodes.h, midpoint);
         MomentumControls controls;
         controls.theta = theta;
         controls.linearTolerance = 1e-13;
