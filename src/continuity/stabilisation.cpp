@@ -1,9 +1,10 @@
 #include "continuity/stabilisation.hpp"
 
-#include "base/parallel.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "base/parallel.hpp"
+#include "state/calm.hpp"
 
 namespace pfem {
 
@@ -37,7 +38,7 @@ template <int Dim>
 bool isCalm(const Problem<Dim>& problem, const Nodes<Dim>& nodes, const Simplex<Dim>& cell) {
     const double g = problem.gravity.norm();
     return std::all_of(cell.begin(), cell.end(),
-                       [&](int i) { return nodes.v[i].squaredNorm() < 0.1 * g * nodes.h[i]; });
+                       [&](int i) { return nodes.v[i].squaredNorm() < calmSpeedSquared(g, nodes.h[i]); });
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
+#include "state/calm.hpp"
 
 namespace pfem {
 
@@ -13,7 +14,7 @@ namespace {
 template <int Dim>
 double calmness(double g, const Nodes<Dim>& nodes, const Face<Dim>& face) {
     double least = 1;
-    for (const int i : face) least = std::min(least, 1 - nodes.v[i].squaredNorm() / (0.1 * g * nodes.h[i]));
+    for (const int i : face) least = std::min(least, 1 - nodes.v[i].squaredNorm() / calmSpeedSquared(g, nodes.h[i]));
     return std::max(0.0, least);
 }
 
