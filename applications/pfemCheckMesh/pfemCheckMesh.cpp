@@ -65,7 +65,7 @@ int main(int argc, char** argv) {
         for (const auto& time : selectTimes(theCase, options)) {
             const State<2> state = readState<2>(theCase.time(time.name));
             const auto kinds = readProblem<2>(theCase, state).conditions.kind;
-            const auto topology = makeTopology<2>(state.mesh, kinds, state.nodes.wall);
+            const auto topology = makeTopology<2>(state.mesh, kinds, state.nodes.x, state.nodes.wall);
             fmt::print("Time = {}\n\n", time.name);
             good = printCheck(state, checkMesh(state.mesh, topology, state.nodes.x, state.nodes.h)) && good;
         }

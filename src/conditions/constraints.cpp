@@ -1,5 +1,6 @@
 #include "conditions/constraints.hpp"
 
+#include <Eigen/LU>
 #include <cmath>
 
 #include "mesh/simplex.hpp"
@@ -8,24 +9,87 @@ namespace pfem {
 
 namespace {
 
-/// Mean normal of the faces that a node belongs to; zero where they differ by more than 20 degrees.
+/// Directions in which a node is held, and by what.
+template <int Dim>
+class Hold {
+public:
+    /// Hold motion along n, unless it is held already; `motion`: that it follows, -1: none.
+    void along(const Vec<Dim>& n, int motion) {
+        const Freedom<Dim> less = freedom_.without(n);
+        if (less.count == freedom_.count) return;
+        freedom_ = less;
+        following_.part[following_.count++] = {n.normalized(), Vec<Dim>::Zero(), motion};
+        moves_ = moves_ || motion >= 0;
+    }
+    /// Hold what is still free.
+    void wholly(int motion) {
+        const Freedom<Dim> free = freedom_;
+        for (int c = 0; c < free.count; ++c) along(free.basis.col(c), motion);
+    }
+
+    const Freedom<Dim>& freedom() const { return freedom_; }
+    bool moves() const { return moves_; }
+
+    /// N (N^T N)^-1 of the normals N: the duals.
+    Following<Dim> following() const {
+        Following<Dim> f = following_;
+        Eigen::Matrix<double, Dim, Eigen::Dynamic, 0, Dim, Dim> N(Dim, f.count);
+        for (int k = 0; k < f.count; ++k) N.col(k) = f.part[k].normal;
+        const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, Dim, Dim> metric = N.transpose() * N;
+        const Eigen::Matrix<double, Dim, Eigen::Dynamic, 0, Dim, Dim> dual = N * metric.inverse();
+        for (int k = 0; k < f.count; ++k) f.part[k].dual = dual.col(k);
+        return f;
+    }
+
+private:
+    Freedom<Dim> freedom_;
+    Following<Dim> following_;
+    bool moves_ = false;
+};
+
+/// Mean normals of the faces that a node belongs to: one of all those that differ by less than 20 degrees.
 template <int Dim>
 struct NormalCollector {
-    std::vector<Vec<Dim>> sum;
-    std::vector<unsigned char> corner;
+    std::vector<std::array<Vec<Dim>, Dim>> sum;
 
-    explicit NormalCollector(std::size_t n) : sum(n, Vec<Dim>::Zero()), corner(n, 0) {}
-
-    void add(int node, const Vec<Dim>& n) {
-        if (sum[node].squaredNorm() > 0 && sum[node].normalized().dot(n) < std::cos(20 * M_PI / 180)) corner[node] = 1;
-        sum[node] += n;
+    explicit NormalCollector(std::size_t n) : sum(n) {
+        for (auto& normals : sum) normals.fill(Vec<Dim>::Zero());
     }
-    bool isCorner(int node) const { return corner[node] != 0; }
-    Vec<Dim> normal(int node) const {
-        return corner[node] || sum[node].squaredNorm() == 0 ? Vec<Dim>(Vec<Dim>::Zero())
-                                                            : Vec<Dim>(sum[node].normalized());
+    void add(int node, const Vec<Dim>& n) {
+        for (auto& normal : sum[node]) {
+            if (normal.squaredNorm() > 0 && normal.normalized().dot(n) < std::cos(featureAngle * M_PI / 180)) continue;
+            normal += n;
+            return;
+        }
     }
 };
+
+/// Outward areas of the wall's faces around each node, by the supports they belong to.
+template <int Dim>
+std::vector<std::array<Vec<Dim>, Dim>> wallAreas(const Topology<Dim>& topology, const Points<Dim>& x) {
+    std::array<Vec<Dim>, Dim> none;
+    none.fill(Vec<Dim>::Zero());
+    std::vector<std::array<Vec<Dim>, Dim>> areas(x.size(), none);
+    for (const auto& face : topology.faces) {
+        const int wall = face.kind == FaceKind::wall ? commonWall(topology, face.nodes) : -1;
+        if (wall < 0) continue;
+        const Vec<Dim> area = faceArea<Dim>(x, face.nodes);
+        for (const int node : face.nodes)
+            for (int k = 0; k < Dim; ++k) {
+                const int own = topology.supports[node][k];
+                if (own >= 0 && topology.joined(own, wall)) areas[node][k] += area;
+            }
+    }
+    return areas;
+}
+
+/// The normal of a wall for a node on it: that of the sum of the wall's faces around it, on a plane that of the plane.
+template <int Dim>
+Vec<Dim> normalFor(const Vec<Dim>& area, const Vec<Dim>& inward) {
+    if (area.squaredNorm() == 0) return inward;
+    const Vec<Dim> mean = -area.normalized();
+    return (mean - inward).norm() < 1e-9 || mean.dot(inward) < 0.5 ? inward : mean;
+}
 
 }  // namespace
 
@@ -34,40 +98,47 @@ NodeConstraints<Dim> nodeConstraints(const Mesh<Dim>& mesh, const BoundaryCondit
                                      const Topology<Dim>& topology, const Nodes<Dim>& nodes, double t0, double t1) {
     const std::size_t n = nodes.x.size();
     NodeConstraints<Dim> c;
-    c.type.assign(n, Constraint::free);
-    c.normal.assign(n, Vec<Dim>::Zero());
-    c.mover.assign(n, -1);
+    c.freedom.assign(n, {});
+    c.followed.assign(n, -1);
     for (const auto& motion : conditions.motion)
         c.motion.push_back(motion ? motion->template step<Dim>(t0, t1) : RigidStep<Dim>());
     const auto moverOf = [&](int patch) { return conditions.motion[patch] ? patch : -1; };
 
     NormalCollector<Dim> planes(n);
-    std::vector<unsigned char> fixed(n, 0), slides(n, 0);
+    std::vector<int> fixedBy(n, -1), planeOf(n, -1);
     for (std::size_t k = 0; k < mesh.patches.size(); ++k)
         for (const auto& face : mesh.patches[k].faces)
-            for (int node : face) {
-                if (conditions.type[k]->own == Constraint::fixed) fixed[node] = 1;
-                if (conditions.motion[k]) c.mover[node] = static_cast<int>(k);
+            for (const int node : face) {
+                const int patch = static_cast<int>(k);
+                if (conditions.type[k]->own == Constraint::fixed || isWall(conditions.kind[k])) fixedBy[node] = patch;
                 if (conditions.type[k]->own != Constraint::slide) continue;
-                slides[node] = 1;
+                planeOf[node] = patch;
                 planes.add(node, faceArea<Dim>(nodes.X, face).normalized());
             }
 
+    const auto areas = wallAreas<Dim>(topology, nodes.x);
     for (std::size_t i = 0; i < n; ++i) {
-        const int node = static_cast<int>(i);
-        if (slides[i]) {
-            c.type[i] = planes.isCorner(node) ? Constraint::fixed : Constraint::slide;
-            c.normal[i] = planes.normal(node);
-        }
-        if (topology.onWall[i]) {
-            const auto& wall = topology.walls[nodes.wall[i]];
+        if (fixedBy[i] < 0 && planeOf[i] < 0 && !topology.onWall[i]) continue;
+        Hold<Dim> hold;
+        if (fixedBy[i] >= 0) hold.wholly(moverOf(fixedBy[i]));
+        if (planeOf[i] >= 0)
+            for (const auto& normal : planes.sum[i])
+                if (normal.squaredNorm() > 0) hold.along(normal, -1);
+        int sticksTo = -1;
+        for (int k = 0; topology.onWall[i] && k < Dim && topology.supports[i][k] >= 0; ++k) {
+            const auto& wall = topology.walls[topology.supports[i][k]];
             const PatchType& type = *conditions.type[wall.patch];
-            c.type[i] = topology.freeSurface[i] ? type.contactLine : type.wet;
-            c.normal[i] = faceArea<Dim>(nodes.x, wall.nodes).normalized();
-            if (!topology.corner[i]) c.mover[i] = moverOf(wall.patch);
-            if (c.isMoved(node)) c.normal[i] = (c.motion[c.mover[i]].rotation * c.normal[i]).eval();
+            const int mover = moverOf(wall.patch);
+            Vec<Dim> normal = normalFor<Dim>(areas[i][k], inwardNormal<Dim>(nodes.x, wall.nodes));
+            if (mover >= 0) normal = (c.motion[mover].rotation * normal).eval();
+            hold.along(normal, mover);
+            if ((topology.freeSurface[i] ? type.contactLine : type.wet) == Constraint::fixed) sticksTo = wall.patch;
         }
-        if (fixed[i] || topology.corner[i]) c.type[i] = Constraint::fixed;
+        if (sticksTo >= 0) hold.wholly(moverOf(sticksTo));
+        c.freedom[i] = hold.freedom();
+        if (!hold.moves()) continue;
+        c.followed[i] = static_cast<int>(c.following.size());
+        c.following.push_back(hold.following());
     }
     return c;
 }

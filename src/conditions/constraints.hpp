@@ -2,24 +2,32 @@
 // How patches hold nodes in a step.
 
 #include "conditions/boundaryConditions.hpp"
+#include "conditions/freedom.hpp"
 #include "state/state.hpp"
 
 namespace pfem {
 
+/// What a node does in its held directions: n_k . u = n_k . u_k with what the motion k gives, u_k.
+template <int Dim>
+struct Following {
+    struct Part {
+        Vec<Dim> normal, dual;  // dual_k . n_l = 1 for k = l, else 0
+        int motion;             // -1: at rest
+    };
+    std::array<Part, Dim> part;
+    int count = 0;
+};
+
 template <int Dim>
 struct NodeConstraints {
-    std::vector<Constraint> type;
-    std::vector<Vec<Dim>> normal;        // of sliding nodes, at the end of the step
-    std::vector<int> mover;              // per node: the motion that it follows, -1: held at rest
-    std::vector<RigidStep<Dim>> motion;  // over the step
+    std::vector<Freedom<Dim>> freedom;
+    std::vector<int> followed;               // per node: its Following, -1: what is held is at rest
+    std::vector<Following<Dim>> following;
+    std::vector<RigidStep<Dim>> motion;      // over the step, of the patches
 
     /// The part of u that node i may perform.
-    Vec<Dim> project(int i, const Vec<Dim>& u) const {
-        if (type[i] == Constraint::free) return u;
-        if (type[i] == Constraint::slide) return u - normal[i] * normal[i].dot(u);
-        return Vec<Dim>::Zero();
-    }
-    bool isMoved(int i) const { return mover[i] >= 0; }
+    Vec<Dim> project(int i, const Vec<Dim>& u) const { return freedom[i].project(u); }
+    bool isMoved(int i) const { return followed[i] >= 0; }
 
     /// u with the held part taken from `prescribed`.
     Vec<Dim> combine(int i, const Vec<Dim>& u, const Vec<Dim>& prescribed) const {
@@ -27,18 +35,30 @@ struct NodeConstraints {
     }
     /// Position of node i after the step: free part of x, held part carried from xOld.
     Vec<Dim> position(int i, const Vec<Dim>& xOld, const Vec<Dim>& x) const {
-        return isMoved(i) ? combine(i, x, motion[mover[i]].carried(xOld)) : x;
+        if (!isMoved(i)) return x;
+        return withHeld(i, x, [&](int m) { return m < 0 ? xOld : motion[m].carried(xOld); });
     }
-    /// Velocity of node i at x after the step: free part of v, held part of the motion.
+    /// Velocity of node i at x after the step: free part of v, held part of the motions.
     Vec<Dim> velocity(int i, const Vec<Dim>& x, const Vec<Dim>& v) const {
-        return isMoved(i) ? combine(i, v, motion[mover[i]].velocityAt(x)) : project(i, v);
+        if (!isMoved(i)) return project(i, v);
+        return withHeld(i, v, [&](int m) { return m < 0 ? Vec<Dim>(Vec<Dim>::Zero()) : motion[m].velocityAt(x); });
+    }
+
+private:
+    template <class Value>
+    Vec<Dim> withHeld(int i, const Vec<Dim>& u, const Value& valueOf) const {
+        Vec<Dim> result = project(i, u);
+        const Following<Dim>& f = following[followed[i]];
+        for (int k = 0; k < f.count; ++k) result += f.part[k].dual * f.part[k].normal.dot(valueOf(f.part[k].motion));
+        return result;
     }
 };
 
 /// Constraints of all nodes for the step from t0 to t1. On symmetry patches normals come from the reference positions
-/// X; a node where two of them meet at more than 20 degrees is fixed. A fluid node on a slip wall slides along its wall
-/// face; on a no-slip wall it sticks, except at the contact line, which could not move otherwise. Solids hold before
-/// walls. What is held follows the motion of its patch.
+/// X; those that differ by less than 20 degrees are one. A fluid node on a slip wall slides over it, along the edge of
+/// two; on a no-slip wall it sticks, except at the contact line, which could not move otherwise. On a bent wall it
+/// slides perpendicular to the sum of the wall's faces around it: so it changes no volume. Clamps hold before walls.
+/// What is held follows the motion of its patch.
 template <int Dim>
 NodeConstraints<Dim> nodeConstraints(const Mesh<Dim>& mesh, const BoundaryConditions<Dim>& conditions,
                                      const Topology<Dim>& topology, const Nodes<Dim>& nodes, double t0, double t1);

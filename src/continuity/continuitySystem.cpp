@@ -33,8 +33,7 @@ Unknowns numberUnknowns(const Topology<Dim>& topology, const NodeConstraints<Dim
     u.n = u.nPressure + nSolid;
     if (strong) return u;
     for (int i = 0; i < topology.nNodes(); ++i) {
-        const bool moves = constraints.type[i] == Constraint::free || constraints.type[i] == Constraint::slide;
-        if (!topology.freeSurface[i] || topology.onSolid[i] || !moves) continue;
+        if (!topology.freeSurface[i] || topology.onSolid[i] || !constraints.freedom[i].any()) continue;
         u.surface[i] = u.n;
         u.n += Dim;
     }

@@ -49,7 +49,7 @@ std::vector<unsigned char> projectedCells(const ContinuityControls& controls, co
                                           const Nodes<Dim>& nodes) {
     std::vector<unsigned char> projected(cells.size(), 0);
     if (controls.stabilisation != "projection") return projected;
-    const auto bounded = [&](int i) { return topology.onWall[i] || topology.onSolidOrCorner(i); };
+    const auto bounded = [&](int i) { return topology.onWall[i] || !topology.ofFluid(i); };
     std::vector<unsigned char> inside(topology.nNodes()),
         besideInside(topology.nNodes());  // of the fluid; on a wall or solid beside such a one
     parallelFor(topology.nNodes(), [&](int i) { inside[i] = !topology.freeSurface[i] && !bounded(i); });

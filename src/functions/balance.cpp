@@ -8,7 +8,7 @@ template <int Dim>
 Points<Dim> supportForces(const Problem<Dim>& problemOfRun, const Controls& controls, const State<Dim>& state) {
     const Problem<Dim> problem = problemAt<Dim>(state.time.value, problemOfRun);
     const auto& [mesh, nodes] = std::tie(state.mesh, state.nodes);
-    const auto topology = makeTopology<Dim>(mesh, problem.conditions.kind, nodes.wall);
+    const auto topology = makeTopology<Dim>(mesh, problem.conditions.kind, nodes.x, nodes.wall);
     const Integration scheme = controls.integration.scheme();
     const FluidPhase<Dim> fluid(problem, mesh, topology.fluid, nodes, scheme);
     const SolidPhase<Dim> solid(problem, controls.solid, mesh, topology.solid, nodes, scheme);

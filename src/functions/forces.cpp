@@ -34,7 +34,7 @@ FluidForce fluidForce(const Problem<Dim>& problemOfRun, const State<Dim>& state,
                       const std::vector<int>& materials) {
     const Problem<Dim> problem = problemAt<Dim>(state.time.value, problemOfRun);
     FluidForce sum;
-    const auto topology = makeTopology<Dim>(state.mesh, problem.conditions.kind, state.nodes.wall);
+    const auto topology = makeTopology<Dim>(state.mesh, problem.conditions.kind, state.nodes.x, state.nodes.wall);
     for (const auto& face : wetFaces<Dim>(state, topology)) {
         if (!(face.patch >= 0 ? contains(patches, face.patch) : contains(materials, face.solid))) continue;
         const auto force = faceForce<Dim>(problem, state, face);

@@ -84,7 +84,7 @@ Topology<Dim> topologyAround(const State<Dim>& state, const std::vector<PatchKin
                         [&](const Vec<Dim>& place) { return (x[cell[0]] - place).squaredNorm() < reach * reach; }))
             near.fluid.nodes.push_back(cell);
     }
-    return makeTopology<Dim>(near, kinds, state.nodes.wall);
+    return makeTopology<Dim>(near, kinds, state.nodes.x, state.nodes.wall);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ template <int Dim>
 EnergyPowers wallPower(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state) {
     EnergyPowers result;
     double& power = result.walls;
-    const auto topology = makeTopology<Dim>(state.mesh, problem.conditions.kind, state.nodes.wall);
+    const auto topology = makeTopology<Dim>(state.mesh, problem.conditions.kind, state.nodes.x, state.nodes.wall);
     for (const auto& face : wetFaces<Dim>(state, topology)) {
         if (face.patch < 0) continue;
         const auto force = faceForce<Dim>(problem, state, face);

@@ -26,7 +26,7 @@ std::vector<WetFace<Dim>> wetFaces(const State<Dim>& state, const Topology<Dim>&
         if (face.kind == FaceKind::interface)
             wet.solid = materialOfSolid.at(sorted<Dim>(face.nodes));
         else if (face.kind == FaceKind::wall) {
-            const int wall = commonWall(topology, state.nodes.wall, face.nodes);
+            const int wall = commonWall(topology, face.nodes);
             if (wall < 0) continue;
             wet.patch = topology.walls[wall].patch;
         } else

@@ -37,12 +37,12 @@ vtkDoubleArray* CheckedArrays::doubles(const std::string& name, int components) 
     return array;
 }
 
-std::vector<Id> CheckedArrays::integers(const std::string& name) const {
-    auto* array = vtkDataArray::SafeDownCast(get(name, 1));
+std::vector<Id> CheckedArrays::integers(const std::string& name, int components) const {
+    auto* array = vtkDataArray::SafeDownCast(get(name, components));
     const int type = array == nullptr ? VTK_VOID : array->GetDataType();
     if (type != VTK_INT && type != VTK_LONG && type != VTK_LONG_LONG && type != VTK_ID_TYPE)
         fail("array '" + name + "' is not of type Int32 or Int64");
-    std::vector<Id> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
+    std::vector<Id> values(static_cast<std::size_t>(array->GetNumberOfValues()));
     for (std::size_t i = 0; i < values.size(); ++i)
         values[i] = array->GetVariantValue(static_cast<vtkIdType>(i)).ToTypeInt64();
     return values;

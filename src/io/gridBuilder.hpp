@@ -81,8 +81,8 @@ void addNodes(vtkUnstructuredGrid* grid, const State<Dim>& state, const NodeSet&
         using Value = typename std::decay_t<decltype(values)>::value_type;
         if constexpr (std::is_same_v<Value, Id>) {
             data->SetGlobalIds(makeArray<vtkIdTypeArray>(name, 1, n, [&](int i, int) { return values[at(i)]; }));
-        } else if constexpr (std::is_same_v<Value, int>) {
-            data->AddArray(makeArray<vtkIntArray>(name, 1, n, [&](int i, int) { return values[at(i)]; }));
+        } else if constexpr (std::is_same_v<Value, Supports<Dim>>) {
+            data->AddArray(makeArray<vtkIntArray>(name, Dim, n, [&](int i, int c) { return values[at(i)][c]; }));
         } else if constexpr (std::is_same_v<Value, double>) {
             scalars(name, values);
         } else if constexpr (std::is_same_v<Value, Stress<Dim>>) {

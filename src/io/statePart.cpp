@@ -36,15 +36,17 @@ std::vector<double> toScalars(vtkDoubleArray* array) {
     return {array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues()};
 }
 
-/// Indices, or -1 for none.
-std::vector<int> toInts(const CheckedArrays& arrays, const std::string& name) {
-    std::vector<int> values;
-    for (const Id value : arrays.integers(name)) {
-        if (value < -1 || value > std::numeric_limits<int>::max())
-            arrays.fail(fmt::format("array '{}' contains {}, which is no face", name, value));
-        values.push_back(static_cast<int>(value));
+/// Indices of faces, or -1 for none.
+template <int Dim>
+std::vector<Supports<Dim>> toSupports(const CheckedArrays& arrays, const std::string& name) {
+    const auto all = arrays.integers(name, Dim);
+    std::vector<Supports<Dim>> supports(all.size() / Dim);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        if (all[k] < -1 || all[k] > std::numeric_limits<int>::max())
+            arrays.fail(fmt::format("array '{}' contains {}, which is no face", name, all[k]));
+        supports[k / Dim][k % Dim] = static_cast<int>(all[k]);
     }
-    return values;
+    return supports;
 }
 
 template <int Dim>
@@ -82,8 +84,8 @@ Nodes<Dim> readNodes(vtkUnstructuredGrid* grid, const std::filesystem::path& fil
         using Value = typename std::decay_t<decltype(values)>::value_type;
         if constexpr (std::is_same_v<Value, Id>) {
             values = arrays.integers(name);
-        } else if constexpr (std::is_same_v<Value, int>) {
-            values = toInts(arrays, name);
+        } else if constexpr (std::is_same_v<Value, Supports<Dim>>) {
+            values = toSupports<Dim>(arrays, name);
         } else if constexpr (std::is_same_v<Value, double>) {
             values = toScalars(arrays.doubles(name, 1));
         } else if constexpr (std::is_same_v<Value, Stress<Dim>>) {

@@ -25,7 +25,7 @@ const char* otherBits(const Nodes<Dim>& a, std::size_t i, const Nodes<Dim>& b, s
         using Value = typename std::decay_t<decltype(a.*field)>::value_type;
         const Value &s = (a.*field)[i], &t = (b.*field)[j];
         if (other != nullptr) return;
-        if constexpr (std::is_arithmetic_v<Value>) {
+        if constexpr (std::is_arithmetic_v<Value> || std::is_same_v<Value, Supports<Dim>>) {
             if (std::memcmp(&s, &t, sizeof s) != 0) other = name;
         } else if constexpr (!std::is_same_v<Value, Stress<Dim>>) {  // solid.vtu alone has the stress
             if (!same(s, t)) other = name;
@@ -134,9 +134,10 @@ State<Dim> readState(const std::filesystem::path& folder) {
     int faces = 0;
     for (const auto& patch : state.mesh.patches) faces += static_cast<int>(patch.faces.size());
     for (int i = 0; i < state.nodes.size(); ++i)
-        if (state.nodes.wall[i] >= faces)
-            fluid.fail(fmt::format("array 'wall': node {} slides on wall face {} of {}", state.nodes.id[i],
-                                   state.nodes.wall[i], faces));
+        for (const int wall : state.nodes.wall[i])
+            if (wall >= faces)
+                fluid.fail(
+                    fmt::format("array 'wall': node {} slides on wall face {} of {}", state.nodes.id[i], wall, faces));
     return state;
 }
 

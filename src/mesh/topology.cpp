@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <set>
 
+#include "mesh/distance.hpp"
+#include "mesh/simplex.hpp"
+
 namespace pfem {
 
 namespace {
@@ -29,17 +32,51 @@ std::set<Face<Dim>> symmetryFaces(const Mesh<Dim>& mesh, const std::vector<Patch
     return faces;
 }
 
-/// What depends on the walls that nodes slide along; interfaces are known.
+/// Walls that the nodes of solids' faces touch, to a millionth of the face's size.
 template <int Dim>
-void setWalls(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const std::vector<int>& wall,
-              Topology<Dim>& t) {
-    for (int i = 0; i < t.nNodes(); ++i) t.onWall[i] = wall[i] >= 0;
+void findTouching(const Mesh<Dim>& mesh, const Points<Dim>& x, Topology<Dim>& t) {
+    for (const auto& face : boundaryFaces<Dim>(mesh.solid.nodes, t.solid)) {
+        const double near = 1e-6 * (x[face.nodes[1]] - x[face.nodes[0]]).norm();
+        for (const int node : face.nodes) {
+            if (isSupported(t.supports[node])) continue;
+            for (int w = 0; w < static_cast<int>(t.walls.size()); ++w) {
+                if (t.walls[w].patch < 0 || distanceToFace<Dim>(x, t.walls[w].nodes, x[node]) > near) continue;
+                const auto& own = t.supports[node];
+                const bool known = std::any_of(own.begin(), own.end(), [&](int f) {
+                    return f >= 0 && t.walls[f].region == t.walls[w].region;
+                });
+                if (!known) addSupport(t.supports[node], w);
+            }
+        }
+    }
+}
+
+/// Has the face the normal of the walls under its nodes? Its own points out of the fluid.
+template <int Dim>
+bool liesOnWall(const Topology<Dim>& t, const Points<Dim>& x, const Face<Dim>& face) {
+    const int wall = commonWall(t, face);
+    if (wall < 0) return false;
+    Vec<Dim> outward = Vec<Dim>::Zero();
+    for (const int node : face) outward -= inwardNormal<Dim>(x, t.walls[t.supportOn(node, wall)].nodes);
+    return faceArea<Dim>(x, face).normalized().dot(outward) > 0.5 * outward.norm();
+}
+
+/// What depends on the walls that hold nodes; interfaces are known.
+template <int Dim>
+void setWalls(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const Points<Dim>& x,
+              const std::vector<Supports<Dim>>& wall, Topology<Dim>& t) {
+    t.supports = wall;
+    for (int i = 0; i < t.nNodes(); ++i) {
+        t.onWall[i] = isSupported(wall[i]) && t.ofFluid(i);
+        if (!t.onWall[i]) t.supports[i] = unsupported<Dim>();
+    }
+    findTouching(mesh, x, t);
     const auto symmetry = symmetryFaces<Dim>(mesh, kinds);
     t.freeSurface.assign(t.nNodes(), 0);
     for (auto& face : t.faces) {
         if (face.kind == FaceKind::interface) continue;
         const bool onSymmetry = !symmetry.empty() && symmetry.count(sorted<Dim>(face.nodes)) > 0;
-        face.kind = onSymmetry || commonWall(t, wall, face.nodes) >= 0 ? FaceKind::wall : FaceKind::freeSurface;
+        face.kind = onSymmetry || liesOnWall<Dim>(t, x, face.nodes) ? FaceKind::wall : FaceKind::freeSurface;
         if (face.kind == FaceKind::freeSurface)
             for (int node : face.nodes) t.freeSurface[node] = 1;
     }
@@ -48,7 +85,8 @@ void setWalls(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const 
 }  // namespace
 
 template <int Dim>
-Topology<Dim> makeTopology(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const std::vector<int>& wall) {
+Topology<Dim> makeTopology(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const Points<Dim>& x,
+                           const std::vector<Supports<Dim>>& wall) {
     const int nNodes = static_cast<int>(wall.size());
     Topology<Dim> t;
     t.fluid = nodeToCells<Dim>(mesh.fluid.nodes, nNodes);
@@ -56,35 +94,35 @@ Topology<Dim> makeTopology(const Mesh<Dim>& mesh, const std::vector<PatchKind>& 
     auto [ring, boundary] = surroundings<Dim>(mesh.fluid.nodes, t.fluid);
     t.ring = std::move(ring);
     t.onSolid.assign(nNodes, 0);
-    t.corner.assign(nNodes, 0);
+    t.wallPoint.assign(nNodes, 0);
     t.onWall.assign(nNodes, 0);
     for (int i = 0; i < nNodes; ++i) t.onSolid[i] = t.solid.count(i) > 0;
-    for (std::size_t n = 0; n < mesh.patches.size(); ++n)
-        for (const auto& face : mesh.patches[n].faces) {
-            t.walls.push_back({face, isWall(kinds[n]) ? static_cast<int>(n) : -1});
-            if (isWall(kinds[n]))
-                for (int node : face) t.corner[node] = 1;
-        }
+    t.walls = wallFaces<Dim>(mesh.patches, wallPatches(kinds), x);
+    t.convex = convexPairs<Dim>(t.walls);
+    for (const auto& face : t.walls)
+        if (face.patch >= 0)
+            for (const int node : face.nodes) t.wallPoint[node] = 1;
     const auto solid = solidFaces<Dim>(mesh, t.solid);
     for (const auto& face : boundary) {
         const bool interface = !solid.empty() && solid.count(sorted<Dim>(face.nodes)) > 0;
         t.faces.push_back({face, interface ? FaceKind::interface : FaceKind::freeSurface});
     }
-    setWalls<Dim>(mesh, kinds, wall, t);
+    setWalls<Dim>(mesh, kinds, x, wall, t);
     return t;
 }
 
 template <int Dim>
-Topology<Dim> withWalls(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const std::vector<int>& wall,
-                        Topology<Dim> topology) {
-    setWalls<Dim>(mesh, kinds, wall, topology);
+Topology<Dim> withWalls(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const Points<Dim>& x,
+                        const std::vector<Supports<Dim>>& wall, Topology<Dim> topology) {
+    setWalls<Dim>(mesh, kinds, x, wall, topology);
     return topology;
 }
 
-#define PFEM_INSTANTIATE(D)                                                                                       \
-    template Topology<D> makeTopology<D>(const Mesh<D>&, const std::vector<PatchKind>&, const std::vector<int>&); \
-    template Topology<D> withWalls<D>(const Mesh<D>&, const std::vector<PatchKind>&, const std::vector<int>&,     \
-                                      Topology<D>);
+#define PFEM_INSTANTIATE(D)                                                                                         \
+    template Topology<D> makeTopology<D>(const Mesh<D>&, const std::vector<PatchKind>&, const Points<D>&,           \
+                                         const std::vector<Supports<D>>&);                                          \
+    template Topology<D> withWalls<D>(const Mesh<D>&, const std::vector<PatchKind>&, const Points<D>&,              \
+                                      const std::vector<Supports<D>>&, Topology<D>);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

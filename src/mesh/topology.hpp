@@ -6,6 +6,7 @@
 
 #include "mesh/adjacency.hpp"
 #include "mesh/mesh.hpp"
+#include "mesh/wallFaces.hpp"
 
 namespace pfem {
 
@@ -25,7 +26,7 @@ inline std::vector<bool> wallPatches(const std::vector<PatchKind>& kinds) {
     return walls;
 }
 
-/// Nodes of solids and of all patches (corners of walls, planes of symmetry): the fluid's remeshing leaves them as they
+/// Nodes of solids and of all patches (points of walls, planes of symmetry): the fluid's remeshing leaves them as they
 /// are.
 template <int Dim>
 std::vector<unsigned char> keptNodes(const Mesh<Dim>& mesh, int nNodes) {
@@ -56,60 +57,59 @@ struct FluidFace : BoundaryFace<Dim> {
     FaceKind kind;
 };
 
-/// A face of a rigid wall: a straight piece between two corners (2D). Fluid nodes slide along it.
-template <int Dim>
-struct WallFace {
-    Face<Dim> nodes;  // the corners, fluid on the left
-    int patch = -1;   // -1: the face is not of a wall
-};
-
 template <int Dim>
 struct Topology {
     NodeToCells fluid;  // fluid cells around each node
     NodeToCells solid;  // solid cells around each node
     NodeToNodes ring;   // neighbours in the fluid
     std::vector<FluidFace<Dim>> faces;
-    std::vector<WallFace<Dim>> walls;        // faces of all patches in their order, as counted by Nodes::wall
-    std::vector<unsigned char> onSolid;      // node of a solid body
-    std::vector<unsigned char> corner;       // corner of a rigid wall
-    std::vector<unsigned char> onWall;       // slides along a rigid wall
-    std::vector<unsigned char> freeSurface;  // node of a free-surface face
+    std::vector<WallFace<Dim>> walls;                // faces of all patches in their order, as counted by Nodes::wall
+    std::vector<std::pair<int, int>> convex;         // regions of the walls that meet at a convex edge
+    std::vector<Supports<Dim>> supports;             // Nodes::wall; of solids' nodes: the walls that they touch
+    std::vector<unsigned char> onSolid;              // node of a solid body
+    std::vector<unsigned char> wallPoint;            // of a rigid wall: geometry, no node of the fluid
+    std::vector<unsigned char> onWall;               // of the fluid, held by a rigid wall
+    std::vector<unsigned char> freeSurface;          // node of a free-surface face
 
     int nNodes() const { return static_cast<int>(onSolid.size()); }
     bool wet(int node) const { return fluid.count(node) > 0; }
-    bool isolated(int node) const { return !wet(node) && !onSolid[node] && !corner[node]; }
+    bool isolated(int node) const { return !wet(node) && ofFluid(node); }
     bool interface(int node) const { return wet(node) && onSolid[node]; }
-    bool onSolidOrCorner(int node) const { return onSolid[node] || corner[node]; }  // a place that fluid comes to
+    bool ofFluid(int node) const { return !onSolid[node] && !wallPoint[node]; }  // and of nothing else
+
+    /// Are two wall faces of one region, or of two between which water flows round a convex edge?
+    bool joined(int face, int other) const {
+        const int a = walls[face].region, b = walls[other].region;
+        return a == b || std::binary_search(convex.begin(), convex.end(), std::pair(a, b));
+    }
+    /// The support of a node that is joined with a wall face, -1: none.
+    int supportOn(int node, int face) const {
+        for (const int own : supports[node])
+            if (own >= 0 && joined(own, face)) return own;
+        return -1;
+    }
 };
 
-/// The wall face that all `nodes` lie on, as corners or sliding; -1 when there is none.
+/// A wall face, one of the first node's, with which all `nodes` have a joined support; -1 when there is none.
 template <int Dim, std::size_t N>
-int commonWall(const Topology<Dim>& topology, const std::vector<int>& wall, const std::array<int, N>& nodes) {
-    const auto allLie = [&](int w) {
-        const auto& corners = topology.walls[w].nodes;
-        return topology.walls[w].patch >= 0 && std::all_of(nodes.begin(), nodes.end(), [&](int node) {
-                   return wall[node] == w || std::find(corners.begin(), corners.end(), node) != corners.end();
-               });
-    };
-    for (int node : nodes) {  // a corner that stands on another wall lies on its own faces, too
-        if (wall[node] < 0) continue;
-        if (allLie(wall[node])) return wall[node];
-        if (!topology.corner[node]) return -1;
-    }
-    for (int w = 0; topology.corner[nodes[0]] && w < static_cast<int>(topology.walls.size()); ++w)
-        if (allLie(w)) return w;  // corners only: rare
+int commonWall(const Topology<Dim>& topology, const std::array<int, N>& nodes) {
+    for (const int face : topology.supports[nodes[0]])
+        if (face >= 0 &&
+            std::all_of(nodes.begin(), nodes.end(), [&](int node) { return topology.supportOn(node, face) >= 0; }))
+            return face;
     return -1;
 }
 
-/// `kinds`: one per patch of the mesh; `wall`: Nodes::wall.
-/// A fluid face is an interface where a solid face coincides, a wall where all its nodes lie on one wall face or
-/// one symmetry patch, and free surface otherwise. Two free-surface nodes do not make a face.
+/// `kinds`: one per patch of the mesh; x, wall: of the nodes. A fluid face is an interface where a solid face coincides,
+/// a wall where all its nodes lie on joined walls whose normals it has, or on one symmetry patch, and free surface
+/// otherwise. Two free-surface nodes do not make a face.
 template <int Dim>
-Topology<Dim> makeTopology(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const std::vector<int>& wall);
+Topology<Dim> makeTopology(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const Points<Dim>& x,
+                           const std::vector<Supports<Dim>>& wall);
 
 /// The same mesh after nodes have landed on walls or left them.
 template <int Dim>
-Topology<Dim> withWalls(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const std::vector<int>& wall,
-                        Topology<Dim> topology);
+Topology<Dim> withWalls(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const Points<Dim>& x,
+                        const std::vector<Supports<Dim>>& wall, Topology<Dim> topology);
 
 }  // namespace pfem

@@ -4,7 +4,7 @@
 
 #include "mesher/hilbertOrder.hpp"
 #include "mesher/wallLines.hpp"
-#include "walls/tJunctions.hpp"
+#include "walls/wallPoints.hpp"
 
 namespace pfem {
 
@@ -94,7 +94,7 @@ State<2> finishMesh(Draft draft, const MeshDescription& description, const std::
     std::vector<bool> isWall;
     for (const auto& patch : state.mesh.patches)
         isWall.push_back(std::find(walls.begin(), walls.end(), patch.name) != walls.end());
-    standOnWalls(state.mesh, isWall, state.nodes);
+    separateFromWalls<2>(isWall, state);
     return state;
 }
 

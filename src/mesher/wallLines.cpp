@@ -92,12 +92,8 @@ void straightenWalls(const std::vector<std::string>& walls, State<2>& state) {
             for (const auto& face : patch.faces)
                 for (int node : face) pinned[node] = 1;
 
-    int count = 0;
     for (auto& patch : state.mesh.patches) {
-        if (!isWallName(patch.name)) {
-            count += static_cast<int>(patch.faces.size());
-            continue;
-        }
+        if (!isWallName(patch.name)) continue;
         const WallWalker walker(patch);
         const auto isInner = [&](int node) {
             return walker.isBetween(node) && !pinned[node] &&
@@ -107,14 +103,10 @@ void straightenWalls(const std::vector<std::string>& walls, State<2>& state) {
         for (const auto& [a, b] : patch.faces) {
             if (isInner(a)) continue;  // not the first face of a straight piece
             int end = b;
-            for (; isInner(end); end = walker.next.at(end)) {
-                between[end] = 1;
-                state.nodes.wall[end] = count + static_cast<int>(straight.size());
-            }
+            for (; isInner(end); end = walker.next.at(end)) between[end] = 1;
             straight.push_back({a, end});
         }
         patch.faces = straight;
-        count += static_cast<int>(straight.size());
     }
 
     std::vector<char> kept(n, 1);

@@ -27,7 +27,7 @@ std::array<double, Dim> meniscusPressure(const Problem<Dim>& problem, double rho
     Vec<Dim> sum = Vec<Dim>::Zero();
     int free = 0;
     for (const int i : face) {
-        if (topology.onSolidOrCorner(i)) continue;
+        if (topology.onSolid[i]) continue;
         sum += nodes.x[i];
         ++free;
     }
@@ -36,7 +36,7 @@ std::array<double, Dim> meniscusPressure(const Problem<Dim>& problem, double rho
     const double calm = calmness<Dim>(g, nodes, face);
     for (int k = 0; k < Dim; ++k) {
         const int i = face[k];
-        if (!topology.onSolidOrCorner(i)) continue;
+        if (!topology.onSolid[i]) continue;
         const double most = rho * g * nodes.h[i];
         p[k] = calm * std::clamp(rho * problem.gravity.dot(nodes.x[i] - sum / free), -most, most);
     }
@@ -54,7 +54,7 @@ void addMeniscus(const Problem<Dim>& problem, const Cells<Dim>& fluid, const Top
             if (p[k] == 0) continue;
             const Vec<Dim> share = p[k] / (Dim * (Dim + 1)) * faceArea<Dim>(nodes.x, face.nodes);
             for (const int free : face.nodes) {
-                if (topology.onSolidOrCorner(free)) continue;
+                if (topology.onSolid[free]) continue;
                 force[free] -= share;
                 force[face.nodes[k]] += share;
             }

@@ -93,8 +93,7 @@ MomentumSystem<Dim>::MomentumSystem(const Step<Dim>& step, const MomentumControl
     }
     const Topology<Dim>& topology = step.topology;
     for (int i = 0; i < topology.nNodes(); ++i) {
-        const bool moves = constraints_.type[i] == Constraint::free || constraints_.type[i] == Constraint::slide;
-        moving_[i] = topology.wet(i) && !topology.onSolid[i] && moves;
+        moving_[i] = topology.wet(i) && !topology.onSolid[i] && constraints_.freedom[i].any();
     }
     setInertia(inertia);
     updateViscosity();
@@ -124,9 +123,11 @@ void MomentumSystem<Dim>::setInertia(const Points<Dim>& inertia) {
     parallelFor(static_cast<int>(inertia.size()), [&](int i) {
         if (!moving_[i]) return;
         inertia_[i] = inertia[i];
-        if (constraints_.type[i] == Constraint::slide) {  // the mean over the directions in which it can move
-            const Vec<Dim> free = Vec<Dim>::Ones() - constraints_.normal[i].cwiseAbs2();
-            inertia_[i].setConstant(inertia[i].dot(free) / (Dim - 1));
+        const Freedom<Dim>& freedom = constraints_.freedom[i];
+        if (!freedom.all()) {  // the mean over the directions in which it can move
+            Vec<Dim> free = Vec<Dim>::Zero();
+            for (int c = 0; c < freedom.count; ++c) free += freedom.basis.col(c).cwiseAbs2();
+            inertia_[i].setConstant(inertia[i].dot(free) / freedom.count);
         }
         diagonal_[i] = inertia_[i].minCoeff();
     });

@@ -10,19 +10,6 @@ namespace pfem {
 
 namespace {
 
-/// Orthonormal vectors perpendicular to n, as the first Dim-1 columns.
-template <int Dim>
-Tensor<Dim> tangentBasis(const Vec<Dim>& n) {
-    Tensor<Dim> basis = Tensor<Dim>::Zero();
-    if constexpr (Dim == 2) {
-        basis.col(0) = Vec<2>(-n[1], n[0]);
-    } else {
-        basis.col(0) = n.unitOrthogonal();
-        basis.col(1) = n.cross(Vec<3>(basis.col(0)));
-    }
-    return basis;
-}
-
 /// Isotropic C = lambda I (x) I + 2 mu, times a time.
 struct Moduli {
     double lambda = 0, mu = 0;  // [Pa s]
@@ -97,13 +84,13 @@ SolidDofs<Dim> solidDofs(const NodeToCells& solid, const NodeConstraints<Dim>& c
     dofs.count.assign(n, 0);
     dofs.local.assign(n, -1);
     for (int i = 0; i < n; ++i) {
-        if (solid.count(i) == 0 || constraints.type[i] == Constraint::fixed) continue;
-        const bool slides = constraints.type[i] == Constraint::slide;
+        const Freedom<Dim>& freedom = constraints.freedom[i];
+        if (solid.count(i) == 0 || !freedom.any()) continue;
         dofs.local[i] = static_cast<int>(dofs.node.size());
         dofs.node.push_back(i);
-        dofs.basis.push_back(slides ? tangentBasis<Dim>(constraints.normal[i]) : Tensor<Dim>::Identity());
+        dofs.basis.push_back(freedom.basis);
         dofs.first[i] = dofs.n;
-        dofs.count[i] = slides ? Dim - 1 : Dim;
+        dofs.count[i] = freedom.count;
         dofs.n += dofs.count[i];
     }
     return dofs;

@@ -14,7 +14,7 @@ void moveEnd(const Step<Dim>& step, Nodes<Dim>& end) {
     const auto& [problem, mesh, topology, constraints, old, midpoint, divTarget] = step;
     const double dt = midpoint.dt;
     parallelFor(old.size(), [&](int i) {
-        if (constraints.type[i] == Constraint::fixed && !constraints.isMoved(i)) {
+        if (!constraints.freedom[i].any() && !constraints.isMoved(i)) {
             if (topology.isolated(i)) end.v[i] = end.a[i] = Vec<Dim>::Zero();  // a drop on a wall that it sticks to
             return;
         }

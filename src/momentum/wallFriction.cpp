@@ -27,7 +27,7 @@ void addWallFriction(const Problem<Dim>& problem, const Cells<Dim>& fluid, const
     const auto& conditions = problem.conditions;
     if (std::all_of(conditions.friction.begin(), conditions.friction.end(), [](double c) { return c == 0; })) return;
     for (const auto& face : topology.faces) {
-        const int wall = face.kind == FaceKind::wall ? commonWall(topology, nodes.wall, face.nodes) : -1;
+        const int wall = face.kind == FaceKind::wall ? commonWall(topology, face.nodes) : -1;
         if (wall < 0) continue;
         const int patch = topology.walls[wall].patch;
         const Vec<Dim> area = faceArea<Dim>(nodes.x, face.nodes);

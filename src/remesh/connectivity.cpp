@@ -39,7 +39,7 @@ bool isContact(const RemeshingControls& c, const CandidateNodes& nodes, const Si
     if (circumradius(nodes.x, s) > c.newContactRadius * h) return false;
     int held = 0, dry = 0, fluidNode = -1, dryNode = -1;
     for (int k = 0; k < 3; ++k) {
-        if (!nodes.onSolidOrCorner[s[k]]) {
+        if (!nodes.onSolid[s[k]]) {
             fluidNode = k;
             continue;
         }
@@ -95,7 +95,7 @@ private:
     void judge(int e) {
         const auto& s = t_.cells[e];
         const bool allHeld =
-            nodes_.onSolidOrCorner[s[0]] && nodes_.onSolidOrCorner[s[1]] && nodes_.onSolidOrCorner[s[2]];
+            nodes_.onSolid[s[0]] && nodes_.onSolid[s[1]] && nodes_.onSolid[s[2]];
         if (isFlatOnWall(s) || (allHeld && isSliver(s))) return;
         const Vec<2> centre = simplexCentroid<2>(nodes_.x, s);
         inside_[e] = wasFluid(s, centre);
@@ -110,7 +110,7 @@ private:
 
     /// Where fluid, two nodes in cells or drops, may soon meet fluid or a solid.
     bool isGap(const Simplex<2>& s) const {
-        const auto fluid = std::count_if(s.begin(), s.end(), [&](int node) { return !nodes_.onSolidOrCorner[node]; });
+        const auto fluid = std::count_if(s.begin(), s.end(), [&](int node) { return !nodes_.onSolid[node]; });
         return fluid >= 2 && circumradius(nodes_.x, s) < controls_.newContactRadius * meanSize(nodes_, s);
     }
 
@@ -126,18 +126,26 @@ private:
         return places_.fluid.contains(centre);
     }
 
+    bool isOnWall(int node) const { return isSupported(nodes_.wall[node]); }
+
     /// Three nodes of one wall face are on one line up to round-off: what is between them is no fluid.
     bool isFlatOnWall(const Simplex<2>& s) const {
-        const auto slides = [&](int node) { return nodes_.inward[node].squaredNorm() > 0; };
         const double h = meanSize(nodes_, s);
-        return isBound(s[0]) && isBound(s[1]) && isBound(s[2]) && std::any_of(s.begin(), s.end(), slides) &&
+        return isBound(s[0]) && isBound(s[1]) && isBound(s[2]) &&
+               std::any_of(s.begin(), s.end(), [&](int node) { return isOnWall(node); }) &&
                simplexMeasure<2>(nodes_.x, s) < 1e-9 * h * h;
     }
 
-    /// On the wrong side of the wall that one of its nodes slides along.
+    /// On the wrong side of a wall that one of its nodes slides along, where the wall is.
     bool isBehindWall(const Simplex<2>& s, const Vec<2>& centre) const {
-        return std::any_of(s.begin(), s.end(),
-                           [&](int node) { return nodes_.inward[node].dot(centre - nodes_.x[node]) < 0; });
+        for (const int node : s)
+            for (const int wall : nodes_.wall[node]) {
+                if (wall < 0) continue;
+                const auto place = placeOnRegion<2>(moved_.topology.walls, moved_.x, wall, centre);
+                const Vec<2> inward = inwardNormal<2>(moved_.x, moved_.topology.walls[place.face].nodes);
+                if (place.beyond < 0 && inward.dot(centre - place.x) < 0) return true;
+            }
+        return false;
     }
 
     void countCells() {
@@ -149,7 +157,7 @@ private:
 
     bool isFluid(int e) const { return e >= 0 && accepted_[e]; }
 
-    bool isBound(int node) const { return nodes_.onSolidOrCorner[node] || nodes_.inward[node].squaredNorm() > 0; }
+    bool isBound(int node) const { return nodes_.onSolid[node] || isOnWall(node); }
 
     /// A face of the cell that is open to the air.
     bool isAtSurface(int e) const {
@@ -170,11 +178,11 @@ private:
         return isSliver(s) || circumradius(nodes_.x, s) > controls_.alpha * controls_.alphaInside * meanSize(nodes_, s);
     }
 
-    /// A lone triangle between places of solids or corners of walls: what little it holds, no fluid node can carry.
+    /// A lone triangle between places of solids: what little it holds, no fluid node can carry.
     bool isTrapped(int e) const {
         const auto& s = t_.cells[e];
         const auto& n = t_.neighbours[e];
-        return nodes_.onSolidOrCorner[s[0]] && nodes_.onSolidOrCorner[s[1]] && nodes_.onSolidOrCorner[s[2]] &&
+        return nodes_.onSolid[s[0]] && nodes_.onSolid[s[1]] && nodes_.onSolid[s[2]] &&
                !isFluid(n[0]) && !isFluid(n[1]) && !isFluid(n[2]);
     }
 
@@ -183,7 +191,7 @@ private:
     bool isCarriedByOne(int e) const {
         const auto& s = t_.cells[e];
         if (std::none_of(s.begin(), s.end(),
-                         [&](int node) { return cells_[node] == 1 && !nodes_.onSolidOrCorner[node]; }))
+                         [&](int node) { return cells_[node] == 1 && !nodes_.onSolid[node]; }))
             return false;
         const double h = meanSize(nodes_, s);
         return simplexMeasure<2>(nodes_.x, s) < controls_.hangingArea * h * h ||
@@ -197,7 +205,7 @@ private:
         const auto& s = t_.cells[e];
         for (int k = 0; k < 3; ++k) {
             const int f = s[k], a = s[(k + 1) % 3], b = s[(k + 2) % 3];
-            if (nodes_.onSolidOrCorner[f] || !nodes_.onSolidOrCorner[a] || !nodes_.onSolidOrCorner[b]) continue;
+            if (nodes_.onSolid[f] || !nodes_.onSolid[a] || !nodes_.onSolid[b]) continue;
             const Vec<2> edge = nodes_.x[b] - nodes_.x[a];
             const double place = edge.dot(nodes_.x[f] - nodes_.x[a]) / edge.squaredNorm();
             return (cells_[a] == 1 && place > 1 - releasePlace) || (cells_[b] == 1 && place < releasePlace);

@@ -13,11 +13,11 @@ struct CandidateNodes {
     Points<2> x;
     Points<2> v;
     std::vector<double> h;
-    std::vector<unsigned char> onSolidOrCorner;  // on a solid or corner of a rigid wall
-    std::vector<unsigned char> wet;              // was in a fluid cell before
-    std::vector<int> old;                        // index in the moved old mesh, -1 for inserted nodes
-    double dt = 0;                               // length of the step [s]
-    Points<2> inward;  // of nodes that slide along a wall: its normal into the fluid; else zero
+    std::vector<unsigned char> onSolid;
+    std::vector<unsigned char> wet;  // was in a fluid cell before
+    std::vector<int> old;            // index in the moved old mesh, -1 for inserted nodes
+    double dt = 0;                   // length of the step [s]
+    std::vector<Supports<2>> wall;   // as Nodes::wall
 };
 
 /// A triangle that has become fluid or has ceased to be.

@@ -32,7 +32,7 @@ double patchVolume(const MovedMesh<Dim>& moved, int i) {
 template <int Dim>
 void giveMomentum(const MovedMesh<Dim>& moved, int drop, int node, Nodes<Dim>& nodes) {
     const double ofNode = patchVolume<Dim>(moved, node), ofDrop = moved.dropVolume[drop];
-    if (moved.topology.onSolidOrCorner(node) || !(ofNode > 0 && ofDrop > 0)) return;
+    if (!moved.topology.ofFluid(node) || !(ofNode > 0 && ofDrop > 0)) return;
     nodes.v[node] += ofDrop / (ofNode + ofDrop) * (nodes.v[drop] - nodes.v[node]);
 }
 

@@ -31,7 +31,7 @@ std::vector<int> goneForGood(const Topology<Dim>& topology, const Vec<Dim>& grav
     std::vector<int> drops, gone;
     for (int i = 0; i < nodes.size(); ++i)
         if (topology.isolated(i) && !kept[i]) {
-            if (nodes.wall[i] < 0) drops.push_back(i);
+            if (!isSupported(nodes.wall[i])) drops.push_back(i);
         } else {
             places.add(nodes.x[i]);
             velocities.add(nodes.v[i]);

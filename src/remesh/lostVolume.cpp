@@ -17,7 +17,7 @@ double handOver(const MovedMesh<2>& moved, const std::vector<int>& newIndex, con
     double orphaned = 0;
     for (int i = 0; i < moved.topology.nNodes(); ++i) {
         const int node = newIndex[i];
-        const bool dryPlace = node >= 0 && moved.topology.onSolidOrCorner(i) && !wet[node];
+        const bool dryPlace = node >= 0 && !moved.topology.ofFluid(i) && !wet[node];
         if (node >= 0 && !dryPlace) continue;
         const double amount = node < 0 ? moved.lostVolume[i] + moved.dropVolume[i] : lost[node];
         const auto heirs = heirsOf<2>(moved, newIndex, wet, i);
@@ -69,7 +69,7 @@ void exchangeWithDrops(const MovedMesh<2>& moved, const std::vector<int>& newInd
         const int node = newIndex[i];
         if (node < 0) continue;
         const double both = nodes.dropVolume[node] + nodes.lostVolume[node];
-        const bool drop = !wet[node] && !moved.topology.onSolidOrCorner(i) && both > 0;
+        const bool drop = !wet[node] && moved.topology.ofFluid(i) && both > 0;
         nodes.dropVolume[node] = drop ? both : 0;
         nodes.lostVolume[node] = drop ? 0 : both;
     }

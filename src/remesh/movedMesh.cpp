@@ -8,7 +8,6 @@ template <int Dim>
 MovedMesh<Dim> movedMesh(const State<Dim>& state, Topology<Dim> topology, const std::vector<int>& gone) {
     MovedMesh<Dim> moved;
     moved.x = state.nodes.x;
-    moved.wall = state.nodes.wall;
     moved.dropVolume = state.nodes.dropVolume;
     moved.lostVolume = state.nodes.lostVolume;
     moved.gone.assign(moved.x.size(), 0.0);

@@ -11,7 +11,6 @@ namespace pfem {
 template <int Dim>
 struct MovedMesh {
     Points<Dim> x;
-    std::vector<int> wall;           // as Nodes::wall
     std::vector<double> dropVolume;  // as Nodes::dropVolume
     std::vector<double> lostVolume;  // as Nodes::lostVolume
     std::vector<double> gone;        // what drops carry that are let go now; not in dropVolume

@@ -5,7 +5,6 @@
 
 #include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
-#include "walls/corners.hpp"
 
 namespace pfem {
 
@@ -44,24 +43,24 @@ public:
     }
 
 private:
-    /// A node that slides into a corner of the walls, the corner is its own node: nothing could stop it there.
+    /// A node that slides towards one that more walls hold, or a solid on its wall: nothing could stop it there.
     void removeAtCorners() {
-        if constexpr (Dim == 2) {
-            std::vector<int> feet;  // of walls that stand on other walls
-            for (int i = 0; i < static_cast<int>(moved_.x.size()); ++i)
-                if (moved_.topology.corner[i] && moved_.wall[i] >= 0) feet.push_back(i);
-            for (int i = 0; i < static_cast<int>(moved_.x.size()); ++i) {
-                const int w = moved_.wall[i];
-                if (w < 0 || kept_[i]) continue;
-                for (const bool atEnd : {false, true})
-                    if (isNear(i, moved_.topology.walls[w].nodes[atEnd ? 1 : 0]) &&
-                        isConcaveEnd(moved_.topology, moved_.x, w, atEnd))
-                        remove(i);
-                for (int foot : feet)
-                    if (moved_.wall[foot] == w && isNear(i, foot)) remove(i);
-            }
+        const auto& t = moved_.topology;
+        const int n = static_cast<int>(moved_.x.size());
+        std::vector<int> corners;
+        for (int i = 0; i < n; ++i)
+            if (isSupported(t.supports[i]) && (t.onSolid[i] || nSupports(t.supports[i]) > 1)) corners.push_back(i);
+        for (int i = 0; i < n; ++i) {
+            if (!t.onWall[i] || kept_[i]) continue;
+            for (const int corner : corners)
+                if (isNear(i, corner) && (t.onSolid[corner] || nSupports(t.supports[corner]) > nSupports(t.supports[i])) &&
+                    t.supportOn(corner, t.supports[i][0]) >= 0)
+                    remove(i);
         }
     }
+
+    /// Stays whoever comes: of solids, patches and corners of the walls.
+    bool stays(int i) const { return kept_[i] || nSupports(moved_.topology.supports[i]) == Dim; }
 
     bool isNear(int i, int corner) const {
         return !locked_[i] && (moved_.x[i] - moved_.x[corner]).norm() <= controls_.walls.cornerDistance * h_[i];
@@ -90,7 +89,7 @@ private:
     void removeClose() {
         const auto under = isUnderSurface();
         for (int i = 0; i < static_cast<int>(moved_.x.size()); ++i) {
-            if (kept_[i] || locked_[i] || !moved_.topology.wet(i)) continue;
+            if (stays(i) || locked_[i] || !moved_.topology.wet(i)) continue;
             if (under[i] || (near_[i] && isTooClose(i))) remove(i);
         }
     }
@@ -100,11 +99,11 @@ private:
         const bool surface = moved_.topology.freeSurface[i] || slides, inFilm = surface && isInFilm(i);
         for (int s = ring_.start[i]; s < ring_.start[i + 1]; ++s) {
             const int j = ring_.node[s];
-            if (locked_[j] && !kept_[j]) continue;
+            if (locked_[j] && !stays(j)) continue;
             // a node on a wall gives way only to its neighbours along the wall
-            if (slides && !moved_.topology.onWall[j] && !kept_[j]) continue;
+            if (slides && !moved_.topology.onWall[j] && !stays(j)) continue;
             // and the contact line to none that is under water: that one can go without a change of volume
-            if (slides && moved_.topology.freeSurface[i] && !moved_.topology.freeSurface[j] && !kept_[j]) continue;
+            if (slides && moved_.topology.freeSurface[i] && !moved_.topology.freeSurface[j] && !stays(j)) continue;
             const double distance = distanceTo(j, moved_.x[i], h_[i]);
             if (distance < closest_ && distance < distanceFrom(j, surface, inFilm || !isBoundaryEdge(i, j)))
                 return true;
@@ -122,7 +121,7 @@ private:
     /// go with them.
     double distanceFrom(int j, bool surface, bool film) const {
         if (!surface) return controls_.removeDistance;
-        if (film && moved_.topology.freeSurface[j] && !kept_[j])
+        if (film && moved_.topology.freeSurface[j] && !stays(j))
             return std::min(controls_.removeDistanceFilm, controls_.removeDistanceSurface);
         const bool boundary = moved_.topology.freeSurface[j] || moved_.topology.onWall[j] || kept_[j];
         return boundary ? controls_.removeDistanceSurface : 0;

@@ -8,25 +8,45 @@
 #include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
 #include "remesh/connectivity.hpp"
+#include "remesh/fixedFaces.hpp"
 #include "remesh/heirs.hpp"
 #include "remesh/joinDrops.hpp"
 #include "remesh/lostVolume.hpp"
 #include "remesh/nodeControl.hpp"
 #include "remesh/passOn.hpp"
-#include "walls/tJunctions.hpp"
 
 namespace pfem {
 
 namespace {
 
+/// The wall faces that hold an edge of the fluid's boundary, or of its inside (none).
+template <int Dim>
+Supports<Dim> supportsOf(const Topology<Dim>& topology, std::array<int, 2> edge) {
+    Supports<Dim> supports = unsupported<Dim>();
+    for (const auto& face : topology.faces) {
+        if (face.kind != FaceKind::wall) continue;
+        const auto has = [&](int node) { return std::find(face.nodes.begin(), face.nodes.end(), node) != face.nodes.end(); };
+        if (!has(edge[0]) || !has(edge[1])) continue;
+        const int wall = commonWall(topology, face.nodes);
+        if (wall >= 0 && std::find(supports.begin(), supports.end(), wall) == supports.end()) addSupport(supports, wall);
+    }
+    return supports;
+}
+
 /// Midpoint of an edge with the mean of its ends; on a wall when the edge lies on it.
 template <int Dim>
-void insertNode(const Nodes<Dim>& old, int i, int j, int wall, State<Dim>& state) {
+void insertNode(const Nodes<Dim>& old, int i, int j, const Topology<Dim>& topology, State<Dim>& state) {
     Nodes<Dim>& nodes = state.nodes;
     nodes.appendBetween(old, i, j);
     nodes.id.back() = state.nextId++;
+    nodes.wall.back() = supportsOf<Dim>(topology, {i, j});
+    for (int& wall : nodes.wall.back()) {
+        if (wall < 0) continue;
+        const auto place = placeOnRegion<Dim>(topology.walls, old.x, wall, nodes.x.back());
+        wall = place.face;
+        nodes.x.back() = place.x;
+    }
     nodes.X.back() = nodes.x.back();
-    nodes.wall.back() = wall;
 }
 
 /// Carry the plan out; returns the new index of each old node (-1 removed), inserted nodes after them.
@@ -49,7 +69,7 @@ std::vector<int> carryOut(const NodePlan<Dim>& plan, const MovedMesh<Dim>& moved
     for (std::size_t k = 0; k < plan.inserted.size(); ++k) {
         newIndex[old.size() + k] = state.nodes.size();
         const auto [a, b] = plan.inserted[k];
-        insertNode(old, a, b, commonWall(moved.topology, moved.wall, plan.inserted[k]), state);
+        insertNode(old, a, b, moved.topology, state);
     }
     for (auto& s : state.mesh.solid.nodes)
         for (int& node : s) node = newIndex[node];
@@ -57,42 +77,6 @@ std::vector<int> carryOut(const NodePlan<Dim>& plan, const MovedMesh<Dim>& moved
         for (auto& face : patch.faces)
             for (int& node : face) node = newIndex[node];
     return newIndex;
-}
-
-/// A wall face with the nodes that slide along it, in their order from one corner to the other.
-void addWallChain(const State<2>& state, const Face<2>& corners, const std::vector<int>& sliding,
-                  std::vector<Face<2>>& faces) {
-    const Vec<2> start = state.nodes.x[corners[0]];
-    const Vec<2> t = state.nodes.x[corners[1]] - start;
-    std::vector<std::pair<double, int>> order;
-    for (int node : sliding) order.emplace_back((state.nodes.x[node] - start).dot(t), node);
-    std::sort(order.begin(), order.end());
-    int last = corners[0];
-    for (const auto& [s, node] : order) {
-        faces.push_back({last, node});
-        last = node;
-    }
-    faces.push_back({last, corners[1]});
-}
-
-/// Faces of walls, solids and symmetry planes: no fluid triangle may cross them.
-template <int Dim>
-std::vector<Face<Dim>> fixedFaces(const State<Dim>& state, const std::vector<PatchKind>& kinds) {
-    std::vector<Face<Dim>> fixed;
-    const auto aroundSolid = nodeToCells<Dim>(state.mesh.solid.nodes, state.nodes.size());
-    for (const auto& face : boundaryFaces<Dim>(state.mesh.solid.nodes, aroundSolid)) fixed.push_back(face.nodes);
-    std::vector<std::vector<int>> sliding;
-    for (const auto& patch : state.mesh.patches) sliding.resize(sliding.size() + patch.faces.size());
-    for (int i = 0; i < state.nodes.size(); ++i)
-        if (state.nodes.wall[i] >= 0) sliding[state.nodes.wall[i]].push_back(i);
-    std::size_t w = 0;
-    for (std::size_t k = 0; k < state.mesh.patches.size(); ++k)
-        for (const auto& face : state.mesh.patches[k].faces) {
-            if (isWall(kinds[k])) addWallChain(state, face, sliding[w], fixed);
-            if (kinds[k] == PatchKind::symmetry) fixed.push_back(face);
-            ++w;
-        }
-    return fixed;
 }
 
 template <int Dim>
@@ -114,33 +98,30 @@ CandidateNodes candidateNodes(const State<2>& state, const MovedMesh<2>& moved, 
     c.x = state.nodes.x;
     c.v = state.nodes.v;
     c.h = state.nodes.h;
-    c.onSolidOrCorner.assign(n, 0);
+    c.onSolid.assign(n, 0);
     c.wet.assign(n, 1);  // inserted nodes are inside the fluid
-    c.inward.assign(n, Vec<2>::Zero());
+    c.wall = state.nodes.wall;
     c.old.assign(n, -1);
     for (std::size_t i = 0; i < moved.x.size(); ++i) {
         if (newIndex[i] < 0) continue;
         c.old[newIndex[i]] = static_cast<int>(i);
-        c.onSolidOrCorner[newIndex[i]] = moved.topology.onSolidOrCorner(static_cast<int>(i));
+        c.onSolid[newIndex[i]] = moved.topology.onSolid[i];
         c.wet[newIndex[i]] = moved.topology.wet(static_cast<int>(i));
-    }
-    for (int i = 0; i < n; ++i) {
-        if (state.nodes.wall[i] < 0) continue;
-        const auto& face = moved.topology.walls[state.nodes.wall[i]].nodes;
-        c.inward[i] = -faceArea<2>(moved.x, face).normalized();  // fluid on the left
     }
     return c;
 }
 
-/// Solid nodes off the boundary and loose ends of walls do not take part in the triangulation.
+/// Solid nodes off the boundary and points of walls do not take part in the triangulation.
 std::vector<int> activeNodes(const State<2>& state, const std::vector<PatchKind>& kinds) {
     const auto around = nodeToCells<2>(state.mesh.solid.nodes, state.nodes.size());
     std::vector<unsigned char> active(state.nodes.size(), 1);
+    for (std::size_t k = 0; k < kinds.size(); ++k)
+        for (const auto& face : state.mesh.patches[k].faces)
+            for (int node : face) active[node] = !isWall(kinds[k]);
     for (const auto& s : state.mesh.solid.nodes)
         for (int node : s) active[node] = 0;
     for (const auto& face : boundaryFaces<2>(state.mesh.solid.nodes, around))
         for (int node : face.nodes) active[node] = 1;
-    for (int node : looseEnds(state.mesh, wallPatches(kinds), state.nodes)) active[node] = 0;
     std::vector<int> list;
     for (int i = 0; i < state.nodes.size(); ++i)
         if (active[i]) list.push_back(i);
@@ -192,7 +173,7 @@ RemeshReport<Dim> remesh(RemeshTask<Dim> task, Triangulator& triangulator, State
     parallelInvoke(
         state.nodes.size(),
         [&] {
-            triangulator.follow(state.nodes.x, state.nodes.id, activeNodes(state, kinds), fixedFaces<Dim>(state, kinds),
+            triangulator.follow(state.nodes.x, state.nodes.id, activeNodes(state, kinds), fixedFaces(state, kinds, moved.topology, newIndex),
                                 surfaceFaces<Dim>(controls, plan, newIndex));
         },
         [&] {

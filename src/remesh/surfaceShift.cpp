@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.hpp"
+#include "conditions/freedom.hpp"
 #include "mesh/simplex.hpp"
 
 namespace pfem {
@@ -20,7 +21,7 @@ std::vector<int> movableSurface(const Topology<Dim>& topology, const Mesh<Dim>& 
     return surface;
 }
 
-/// a_I = sum_e |e| grad N_I: how the volume of the cells grows when the node moves; on a wall its part along the wall.
+/// a_I = sum_e |e| grad N_I: how the volume of the cells grows when the node moves; on walls its part along them.
 template <int Dim>
 Vec<Dim> outwardArea(const Topology<Dim>& topology, const std::vector<Simplex<Dim>>& cells, const Nodes<Dim>& nodes,
                      int i) {
@@ -28,9 +29,10 @@ Vec<Dim> outwardArea(const Topology<Dim>& topology, const std::vector<Simplex<Di
     for (int s = topology.fluid.start[i]; s < topology.fluid.start[i + 1]; ++s)
         area -=
             faceArea<Dim>(nodes.x, oppositeFace<Dim>(cells[topology.fluid.cell[s]], topology.fluid.corner[s])) / Dim;
-    if (nodes.wall[i] < 0) return area;
-    const Vec<Dim> n = faceArea<Dim>(nodes.x, topology.walls[nodes.wall[i]].nodes).normalized();
-    return area - area.dot(n) * n;
+    Freedom<Dim> free;
+    for (const int wall : nodes.wall[i])
+        if (wall >= 0) free = free.without(inwardNormal<Dim>(nodes.x, topology.walls[wall].nodes));
+    return free.project(area);
 }
 
 /// What each node is to bring: what it lacks, half of it shared with its neighbours along the surface. A zig-zag of the

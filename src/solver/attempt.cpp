@@ -47,7 +47,7 @@ Motion<Dim> move(const Problem<Dim>& problem, const Problem<Dim>& within, const 
                  const State<Dim>& last, AdvanceReport& report, State<Dim>& state) {
     Motion<Dim> motion;
     motion.dt = report.dt;
-    motion.topology = beginStep<Dim>(problem, report.dt, state);
+    motion.topology = beginStep<Dim>(problem, state);
     const Topology<Dim>& topology = motion.topology;
     if (state.nodes.v != last.nodes.v)  // what has landed moves on as its wall allows
         state.energy.book(EnergyCause::remeshing,

@@ -1,16 +1,26 @@
 #include "solver/beginStep.hpp"
 
-#include "walls/tJunctions.hpp"
+#include <cmath>
 
 namespace pfem {
 
 namespace {
 
+/// What has slid round a bend goes on as fast as before: its velocity turns with the wall.
+template <int Dim>
+Vec<Dim> turned(const Vec<Dim>& before, const Vec<Dim>& along) {
+    const double speed = before.norm(), part = along.norm();
+    const bool bent = (before - along).norm() > 1e-12 * speed;
+    return bent && part > std::cos(featureAngle * M_PI / 180) * speed ? Vec<Dim>(along * (speed / part)) : along;
+}
+
 /// Velocities and accelerations that the constraints of this instant allow.
 template <int Dim>
-void obeyConstraints(const NodeConstraints<Dim>& constraints, Nodes<Dim>& nodes) {
+void obeyConstraints(const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints, Nodes<Dim>& nodes) {
     for (int i = 0; i < nodes.size(); ++i) {
-        nodes.v[i] = constraints.velocity(i, nodes.x[i], nodes.v[i]);
+        const Vec<Dim> before = nodes.v[i];
+        nodes.v[i] = constraints.velocity(i, nodes.x[i], before);
+        if (topology.onWall[i] && !constraints.isMoved(i)) nodes.v[i] = turned<Dim>(before, nodes.v[i]);
         if (!constraints.isMoved(i)) nodes.a[i] = constraints.project(i, nodes.a[i]);
     }
 }
@@ -25,23 +35,17 @@ NodeConstraints<Dim> constraintsOver(double from, double to, const Problem<Dim>&
 }
 
 template <int Dim>
-Topology<Dim> beginStep(const Problem<Dim>& problem, double dt, State<Dim>& state) {
+Topology<Dim> beginStep(const Problem<Dim>& problem, State<Dim>& state) {
     const auto& kinds = problem.conditions.kind;
-    auto topology = makeTopology<Dim>(state.mesh, kinds, state.nodes.wall);
-    if (problem.conditions.anyMotion()) {
-        const auto next = constraintsOver<Dim>(0, dt, problem, state, topology);
-        Points<Dim> v = state.nodes.v;
-        for (int i = 0; i < state.nodes.size(); ++i) v[i] = next.velocity(i, state.nodes.x[i], v[i]);
-        if (leaveTJunctions(topology, v, state)) topology = makeTopology<Dim>(state.mesh, kinds, state.nodes.wall);
-    }
-    obeyConstraints<Dim>(constraintsOver<Dim>(0, 0, problem, state, topology), state.nodes);
+    auto topology = makeTopology<Dim>(state.mesh, kinds, state.nodes.x, state.nodes.wall);
+    obeyConstraints<Dim>(topology, constraintsOver<Dim>(0, 0, problem, state, topology), state.nodes);
     return topology;
 }
 
 #define PFEM_INSTANTIATE(D)                                                                            \
     template NodeConstraints<D> constraintsOver<D>(double, double, const Problem<D>&, const State<D>&, \
                                                    const Topology<D>&);                                \
-    template Topology<D> beginStep<D>(const Problem<D>&, double, State<D>&);
+    template Topology<D> beginStep<D>(const Problem<D>&, State<D>&);
 PFEM_INSTANTIATE(2)
 
 }  // namespace pfem

@@ -10,8 +10,8 @@ template <int Dim>
 NodeConstraints<Dim> constraintsOver(double from, double to, const Problem<Dim>& problem, const State<Dim>& state,
                                      const Topology<Dim>& topology);
 
-/// The topology for a step of length dt and velocities that its start allows. Walls that lift off leave their water.
+/// The topology for a step and velocities that its start allows.
 template <int Dim>
-Topology<Dim> beginStep(const Problem<Dim>& problem, double dt, State<Dim>& state);
+Topology<Dim> beginStep(const Problem<Dim>& problem, State<Dim>& state);
 
 }  // namespace pfem

@@ -50,8 +50,9 @@ std::vector<PatchRole> patchRoles(const State<Dim>& state) {
                 roles[k].wall = true;
             patchOfFace.push_back(k);
         }
-    for (int w : state.nodes.wall)
-        if (w >= 0) roles[patchOfFace[w]].wall = true;
+    for (const auto& supports : state.nodes.wall)
+        for (const int w : supports)
+            if (w >= 0) roles[patchOfFace[w]].wall = true;
     return roles;
 }
 

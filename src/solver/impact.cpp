@@ -20,7 +20,7 @@ constexpr double enough = 0.01;  // of the fastest closing
 /// of a no-slip wall slides along it.
 template <int Dim>
 NodeConstraints<Dim> holdOf(const Problem<Dim>& problem, const State<Dim>& state) {
-    const auto topology = makeTopology<Dim>(state.mesh, problem.conditions.kind, state.nodes.wall);
+    const auto topology = makeTopology<Dim>(state.mesh, problem.conditions.kind, state.nodes.x, state.nodes.wall);
     return nodeConstraints<Dim>(state.mesh, problem.conditions, topology, state.nodes, problem.time, problem.time);
 }
 

@@ -83,7 +83,7 @@ void checkWalls(const Topology<2>& topology, const Points<2>& xOld, const State<
             if (topology.walls[w++].patch >= 0) walls.emplace_back(face, &patch.name);
     std::vector<const std::string*> through(next.nodes.id.size(), nullptr);
     parallelFor(next.nodes.size(), [&](int i) {
-        if (next.nodes.wall[i] >= 0 || held[i]) return;
+        if (isSupported(next.nodes.wall[i]) || held[i]) return;
         for (const auto& [face, name] : walls)
             if (crossed(face, xOld, next.nodes.x, xOld[i], next.nodes.x[i], 0.01 * next.nodes.h[i])) through[i] = name;
     });
@@ -147,7 +147,7 @@ double allowedSpeed(const Topology<Dim>& topology, const Nodes<Dim>& nodes) {
     double fastest = 0, pushing = 0;
     for (int i = 0; i < nodes.size(); ++i) {
         fastest = std::max(fastest, nodes.v[i].squaredNorm());
-        if (topology.onSolidOrCorner(i)) pushing = std::max(pushing, nodes.v[i].squaredNorm());
+        if (!topology.ofFluid(i)) pushing = std::max(pushing, nodes.v[i].squaredNorm());
     }
     return std::sqrt(fastest) + 2 * std::sqrt(pushing);
 }

@@ -25,7 +25,7 @@ template <int Dim>
 ExtraFields outputFields(const Problem<Dim>& problem, const State<Dim>& state) {
     ExtraFields extra = ledgerFields<Dim>(state);
     extra.nodalFlags["freeSurface"] =
-        makeTopology<Dim>(state.mesh, problem.conditions.kind, state.nodes.wall).freeSurface;
+        makeTopology<Dim>(state.mesh, problem.conditions.kind, state.nodes.x, state.nodes.wall).freeSurface;
     return extra;
 }
 

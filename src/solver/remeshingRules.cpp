@@ -13,7 +13,6 @@
 #include "walls/landing.hpp"
 #include "walls/penetration.hpp"
 #include "walls/release.hpp"
-#include "walls/tJunctions.hpp"
 
 namespace pfem {
 
@@ -39,11 +38,6 @@ ViscousFluid heaviestFluid(const Problem<Dim>& problem) {
 }
 
 template <int Dim>
-void followMovingWalls(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>&) {
-    standOnWalls(state.mesh, wallPatches(c.problem.conditions.kind), state.nodes);
-}
-
-template <int Dim>
 void makeUpAtSurface(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>&) {
     const Motion<Dim>& m = c.motion;
     shiftSurface<Dim>(c.controls, m.topology, m.returned, surfaceShare<Dim>(c.problem, m.dt, state.nodes), state);
@@ -57,7 +51,7 @@ void release(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome
 
 template <int Dim>
 void land(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>&) {
-    landOnWalls<Dim>(c.controls.walls, c.motion.topology, c.motion.xOld, state);
+    landOnWalls<Dim>(c.controls.walls, c.motion.topology, c.motion.xOld, c.problem.gravity.norm(), state);
 }
 
 template <int Dim>
@@ -85,7 +79,7 @@ void reconnect(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutco
         !isDistorted(c.controls.distortion, state.nodes.x, state.mesh.fluid.nodes))
         return;
     auto topology =
-        sameWalls ? c.motion.topology : withWalls<Dim>(state.mesh, kinds, state.nodes.wall, c.motion.topology);
+        sameWalls ? c.motion.topology : withWalls<Dim>(state.mesh, kinds, state.nodes.x, state.nodes.wall, c.motion.topology);
     outcome.connectivity =
         remesh<Dim>({c.controls, kinds, std::move(topology), c.motion.dt, outcome.leaving}, c.triangulator, state);
 }
@@ -97,11 +91,6 @@ void stopEachOther(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingO
     const double met = closingRate<Dim>(state.nodes, contacts, c.controls.contactHeight);
     strike<Dim>(c.problem, contacts, state);
     state.approach = std::max(met, closingRate<Dim>(state.nodes, gaps, 0));
-}
-
-template <int Dim>
-bool wallsMove(const RemeshingContext<Dim>& c, const State<Dim>&) {
-    return c.problem.conditions.anyMotion();
 }
 
 template <int Dim>
@@ -120,7 +109,6 @@ bool dropsMayGo(const RemeshingContext<Dim>& c, const State<Dim>&) {
 template <int Dim>
 const std::vector<RemeshingRule<Dim>>& remeshingRules() {
     static const std::vector<RemeshingRule<Dim>> rules{
-        {"standOnWalls", {}, followMovingWalls<Dim>, wallsMove<Dim>},
         {"surfaceShift", VolumeCause::surface, makeUpAtSurface<Dim>},
         {"releaseFromWalls", VolumeCause::released, release<Dim>},
         {"landOnWalls", VolumeCause::landed, land<Dim>},

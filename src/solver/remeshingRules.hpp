@@ -18,7 +18,7 @@ struct Motion {
     double dt = 0;                   // [s]
     Topology<Dim> topology;          // of the step's cells
     Points<Dim> xOld;                // where the nodes were
-    std::vector<int> wallsOld;       // as Nodes::wall at the start
+    std::vector<Supports<Dim>> wallsOld;       // as Nodes::wall at the start
     std::vector<double> returned;    // volume that the continuity equation was asked to give to each node
     std::vector<double> compressed;  // volume that pressure has taken at each node, negative
 };

@@ -2,14 +2,16 @@
 // What is known of the nodes. Only nodes carry history, and with elemental integration the solid's cells.
 
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 #include "base/history.hpp"
 #include "base/types.hpp"
+#include "mesh/supports.hpp"
 
 namespace pfem {
 
-/// Nodal values, all arrays of one length, sorted by ascending id. Nodes of fluid and solid and corners of walls share
+/// Nodal values, all arrays of one length, sorted by ascending id. Nodes of fluid and solid and points of walls share
 /// the one list; an interface node is ONE node with one velocity.
 template <int Dim>
 struct Nodes {
@@ -23,7 +25,7 @@ struct Nodes {
     std::vector<double> h;           // wanted distance to the neighbours [m]
     std::vector<double> dropVolume;  // volume carried by an isolated particle [m2 (2D), m3]
     std::vector<double> lostVolume;  // what the fluid around the node has lost and not got back; < 0: gained
-    std::vector<int> wall;           // the wall face along which the node slides (counted over all patches) or -1
+    std::vector<Supports<Dim>> wall;  // the wall faces that hold the node (counted over all patches)
     History history;                 // of the solids' laws (elemental: mean of cells); nothing when none has any
 
     /// What a node that is made between two others gets: their mean, or the field's first value.
@@ -46,7 +48,7 @@ struct Nodes {
         visit("h", &Nodes::h, 0.0, Between::mean);
         visit("dropVolume", &Nodes::dropVolume, 0.0, Between::first);
         visit("lostVolume", &Nodes::lostVolume, 0.0, Between::first);
-        visit("wall", &Nodes::wall, -1, Between::first);
+        visit("wall", &Nodes::wall, unsupported<Dim>(), Between::first);
     }
 
     int size() const { return static_cast<int>(id.size()); }
@@ -80,7 +82,8 @@ template <int Dim>
 void Nodes<Dim>::appendBetween(const Nodes& other, int i, int j) {
     fields([&](const char*, auto field, const auto& first, Between between) {
         auto value = first;
-        if (between == Between::mean) value = 0.5 * ((other.*field)[i] + (other.*field)[j]);
+        if constexpr (!std::is_same_v<decltype(value), Supports<Dim>>)
+            if (between == Between::mean) value = 0.5 * ((other.*field)[i] + (other.*field)[j]);
         (this->*field).push_back(value);
     });
     history.resize(size());

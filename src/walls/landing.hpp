@@ -1,5 +1,5 @@
 #pragma once
-// Fluid nodes come to rigid walls and slide along them.
+// Fluid nodes come to rigid walls and slide over them.
 
 #include "mesh/topology.hpp"
 #include "state/state.hpp"
@@ -8,10 +8,14 @@
 namespace pfem {
 
 /// A fluid node whose path from xOld crossed a wall face, or that approaches one within landingDistance h, is put on
-/// it: from now on it slides. A drop lands where its way first crosses a wall, however long it is. A sliding node that
-/// has passed the end of its face stays at the end, or is free again where the wall turns away.
+/// it: from now on it slides. A drop lands where its way first crosses a wall, however long it is. A node that slides
+/// is put back on its wall, over bends of less than featureAngle too. Beyond the end of its wall it
+///  - stays in the corner where another wall rises, held by both, if there is no node yet,
+///  - goes round a convex corner under water, and leaves the wall there at the free surface,
+///  - is free where the wall ends.
+/// In a convex corner only calm water is held (state/calm.hpp).
 template <int Dim>
-void landOnWalls(const WallControls& controls, const Topology<Dim>& topology, const Points<Dim>& xOld,
+void landOnWalls(const WallControls& controls, const Topology<Dim>& topology, const Points<Dim>& xOld, double gravity,
                  State<Dim>& state);
 
 }  // namespace pfem

@@ -45,7 +45,7 @@ int returnPenetrating<2>(const Topology<2>& topology, double distance, State<2>&
 
     int count = 0;
     for (int i = 0; i < nodes.size(); ++i) {
-        if (topology.onSolidOrCorner(i) || !solid.contains(nodes.x[i])) continue;
+        if (!topology.ofFluid(i) || !solid.contains(nodes.x[i])) continue;
         int nearest = -1;
         double best = std::numeric_limits<double>::max();
         bins.forEachNear(nodes.x[i], 2 * hMax, [&](int f) {

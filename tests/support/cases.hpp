@@ -19,7 +19,7 @@ namespace pfem::test {
 /// A simulation with what tests ask of it.
 struct TestCase : Simulation<2> {
     const std::vector<PatchKind>& kinds() const { return problem.conditions.kind; }
-    Topology<2> topology() const { return makeTopology<2>(state.mesh, kinds(), state.nodes.wall); }
+    Topology<2> topology() const { return makeTopology<2>(state.mesh, kinds(), state.nodes.x, state.nodes.wall); }
     NodeConstraints<2> constraints(const Topology<2>& topology) const {
         return nodeConstraints<2>(state.mesh, problem.conditions, topology, state.nodes, state.time.value,
                                   state.time.value);

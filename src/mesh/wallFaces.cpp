@@ -1,0 +1,162 @@
+#include "mesh/wallFaces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "mesh/distance.hpp"
+#include "mesh/simplex.hpp"
+
+namespace pfem {
+
+namespace {
+
+template <int Dim>
+using Edge = std::array<int, Dim - 1>;
+
+/// The edge opposite to node k of a face (2D: its other end), sorted.
+template <int Dim>
+Edge<Dim> edgeOpposite(const Face<Dim>& face, int k) {
+    Edge<Dim> edge{};
+    for (int j = 1; j < Dim; ++j) edge[j - 1] = face[(k + j) % Dim];
+    std::sort(edge.begin(), edge.end());
+    return edge;
+}
+
+struct Side {
+    int face, node;  // the node opposite to the edge, local
+};
+
+/// How two faces join: by their normals, and by where the far node of the second is seen from the first.
+template <int Dim>
+Bend bendOf(const WallFace<Dim>& a, const WallFace<Dim>& b, int farNode, const Points<Dim>& x) {
+    const Vec<Dim> n = inwardNormal<Dim>(x, a.nodes), m = inwardNormal<Dim>(x, b.nodes);
+    if (n.dot(m) > std::cos(featureAngle * M_PI / 180)) return Bend::smooth;
+    return n.dot(x[b.nodes[farNode]] - x[a.nodes[(0)]]) > 0 ? Bend::concave : Bend::convex;
+}
+
+int root(std::vector<int>& parent, int i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+}
+
+template <int Dim>
+void joinAt(const std::vector<Side>& sides, const Points<Dim>& x, std::vector<WallFace<Dim>>& walls,
+            std::vector<int>& parent) {
+    if (sides.size() == 1) return;
+    for (const Side& side : sides) walls[side.face].bend[side.node] = Bend::concave;  // of three and more: a fork
+    if (sides.size() > 2) return;
+    for (const int k : {0, 1}) {
+        const Side &own = sides[k], &other = sides[1 - k];
+        auto& face = walls[own.face];
+        face.next[own.node] = other.face;
+        face.bend[own.node] = bendOf<Dim>(face, walls[other.face], other.node, x);
+        if (face.bend[own.node] != Bend::smooth) continue;
+        const int a = root(parent, own.face), b = root(parent, other.face);
+        parent[std::max(a, b)] = std::min(a, b);
+    }
+}
+
+/// Nearest point of a face, and whether it lies on the edge opposite to a node and the point beyond it; else -1.
+std::pair<Vec<2>, int> nearestOn(const Points<2>& x, const Face<2>& face, const Vec<2>& point) {
+    const Vec<2> a = x[face[0]], t = x[face[1]] - a;
+    const double s = (point - a).dot(t) / t.squaredNorm();
+    if (s < 0) return {a, 1};
+    if (s > 1) return {x[face[1]], 0};
+    return {a + s * t, -1};
+}
+
+std::pair<Vec<3>, int> nearestOn(const Points<3>& x, const Face<3>& face, const Vec<3>& point) {
+    const Vec<3> n = faceArea<3>(x, face).normalized(), foot = point - n * n.dot(point - x[face[0]]);
+    Vec<3> nearest = foot;
+    int beyond = -1;
+    double best = 0;
+    for (int k = 0; k < 3; ++k) {
+        const Vec<3>&a = x[face[(k + 1) % 3]], &b = x[face[(k + 2) % 3]];
+        if (n.dot((b - a).cross(foot - a)) >= 0) continue;
+        const double w = nearestWeight<3>(a, b, foot);
+        const Vec<3> onEdge = a + w * (b - a);
+        if (beyond >= 0 && (onEdge - foot).norm() >= best) continue;
+        best = (onEdge - foot).norm();
+        nearest = onEdge;
+        beyond = k;
+    }
+    return {nearest, beyond};
+}
+
+}  // namespace
+
+template <int Dim>
+Vec<Dim> inwardNormal(const Points<Dim>& x, const Face<Dim>& face) {
+    return -faceArea<Dim>(x, face).normalized();
+}
+
+template <int Dim>
+std::vector<WallFace<Dim>> wallFaces(const std::vector<Patch<Dim>>& patches, const std::vector<bool>& isWall,
+                                     const Points<Dim>& x) {
+    std::vector<WallFace<Dim>> walls;
+    std::map<Edge<Dim>, std::vector<Side>> sides;
+    for (std::size_t k = 0; k < patches.size(); ++k)
+        for (const auto& nodes : patches[k].faces) {
+            WallFace<Dim> face{nodes, isWall[k] ? static_cast<int>(k) : -1};
+            face.next.fill(-1);
+            for (int node = 0; isWall[k] && node < Dim; ++node)
+                sides[edgeOpposite<Dim>(nodes, node)].push_back({static_cast<int>(walls.size()), node});
+            walls.push_back(face);
+        }
+    std::vector<int> parent(walls.size());
+    std::iota(parent.begin(), parent.end(), 0);
+    for (const auto& [edge, around] : sides) joinAt<Dim>(around, x, walls, parent);
+    int nRegions = 0;
+    for (std::size_t w = 0; w < walls.size(); ++w) {
+        if (walls[w].patch < 0) continue;
+        const int first = root(parent, static_cast<int>(w));
+        walls[w].region = first == static_cast<int>(w) ? nRegions++ : walls[first].region;
+    }
+    return walls;
+}
+
+template <int Dim>
+std::vector<std::pair<int, int>> convexPairs(const std::vector<WallFace<Dim>>& walls) {
+    std::vector<std::pair<int, int>> pairs;
+    for (const auto& face : walls)
+        for (int k = 0; face.patch >= 0 && k < Dim; ++k)
+            if (face.bend[k] == Bend::convex) pairs.emplace_back(face.region, walls[face.next[k]].region);
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
+}
+
+template <int Dim>
+WallPlace<Dim> placeOnRegion(const std::vector<WallFace<Dim>>& walls, const Points<Dim>& x, int face,
+                             const Vec<Dim>& point) {
+    auto [nearest, beyond] = nearestOn(x, walls[face].nodes, point);
+    double distance = (point - nearest).squaredNorm();
+    for (bool better = true; better;) {
+        better = false;
+        for (int k = 0; k < Dim; ++k) {
+            if (walls[face].bend[k] != Bend::smooth) continue;
+            const int other = walls[face].next[k];
+            const auto [place, past] = nearestOn(x, walls[other].nodes, point);
+            const double d = (point - place).squaredNorm();
+            if (!(d < distance * (1 - 1e-12))) continue;
+            face = other, nearest = place, beyond = past, distance = d;
+            better = true;
+            break;
+        }
+    }
+    const bool ends = beyond >= 0 && walls[face].bend[beyond] != Bend::smooth;
+    return {face, nearest, ends ? beyond : -1};
+}
+
+#define PFEM_INSTANTIATE(D)                                                                                      \
+    template Vec<D> inwardNormal<D>(const Points<D>&, const Face<D>&);                                           \
+    template std::vector<WallFace<D>> wallFaces<D>(const std::vector<Patch<D>>&, const std::vector<bool>&,       \
+                                                   const Points<D>&);                                            \
+    template std::vector<std::pair<int, int>> convexPairs<D>(const std::vector<WallFace<D>>&);                   \
+    template WallPlace<D> placeOnRegion<D>(const std::vector<WallFace<D>>&, const Points<D>&, int, const Vec<D>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
+
+}  // namespace pfem
