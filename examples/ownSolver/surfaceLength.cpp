@@ -38,7 +38,7 @@ public:
 
     void execute(const State<2>& state) override {
         double length = 0;
-        for (const auto& face : makeTopology<2>(state.mesh, kinds_, state.nodes.wall).faces)
+        for (const auto& face : makeTopology<2>(state.mesh, kinds_, state.nodes.x, state.nodes.wall).faces)
             if (face.kind == FaceKind::freeSurface) length += faceArea<2>(state.nodes.x, face.nodes).norm();
         table_->row({table_->time(state.time.value), table_->number(entries_.scale * length)});
     }

@@ -159,12 +159,19 @@ private:
 
     bool isBound(int node) const { return nodes_.onSolid[node] || isOnWall(node); }
 
-    /// A face of the cell that is open to the air.
+    /// Does the face lie on a solid, or on one wall?
+    bool isClosed(const Face<2>& face) const {
+        if (nodes_.onSolid[face[0]] && nodes_.onSolid[face[1]]) return true;
+        for (const int wall : nodes_.wall[face[0]])
+            for (const int other : nodes_.wall[face[1]])
+                if (wall >= 0 && other >= 0 && moved_.topology.joined(wall, other)) return true;
+        return false;
+    }
+
+    /// A face of the cell is open to the air.
     bool isAtSurface(int e) const {
-        for (int k = 0; k < 3; ++k) {
-            const auto face = oppositeFace<2>(t_.cells[e], k);
-            if (!isFluid(t_.neighbours[e][k]) && !(isBound(face[0]) && isBound(face[1]))) return true;
-        }
+        for (int k = 0; k < 3; ++k)
+            if (!isFluid(t_.neighbours[e][k]) && !isClosed(oppositeFace<2>(t_.cells[e], k))) return true;
         return false;
     }
 

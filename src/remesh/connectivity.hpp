@@ -17,7 +17,7 @@ struct CandidateNodes {
     std::vector<unsigned char> wet;  // was in a fluid cell before
     std::vector<int> old;            // index in the moved old mesh, -1 for inserted nodes
     double dt = 0;                   // length of the step [s]
-    std::vector<Supports<2>> wall;   // as Nodes::wall
+    std::vector<Supports<2>> wall;   // as Topology::supports
 };
 
 /// A triangle that has become fluid or has ceased to be.

@@ -106,6 +106,7 @@ CandidateNodes candidateNodes(const State<2>& state, const MovedMesh<2>& moved, 
         if (newIndex[i] < 0) continue;
         c.old[newIndex[i]] = static_cast<int>(i);
         c.onSolid[newIndex[i]] = moved.topology.onSolid[i];
+        if (moved.topology.onSolid[i]) c.wall[newIndex[i]] = moved.topology.supports[i];
         c.wet[newIndex[i]] = moved.topology.wet(static_cast<int>(i));
     }
     return c;

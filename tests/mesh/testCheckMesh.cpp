@@ -38,7 +38,7 @@ TEST(CheckMesh, QualityOfKnownTriangles) {
     c.state.nodes.resize(4);
     c.state.nodes.x = {{0, 0}, {1, 0}, {0.5, std::sqrt(0.75)}, {0, 1}};
     c.state.nodes.h.assign(4, 1.0);
-    c.state.nodes.wall.assign(4, -1);
+    c.state.nodes.wall.assign(4, unsupported<2>());
     c.state.mesh.patches.clear();
     c.problem.conditions.kind.clear();
     c.state.mesh.solid = {};
@@ -70,6 +70,7 @@ TEST(CheckMesh, FaultsAreFound) {
             twin[i] = nodes.size();
             nodes.append(Nodes<2>(nodes), i);
             nodes.id.back() = twins.state.nextId++;
+            nodes.wall[i] = topology.supports[i];  // the fluid's
         }
     for (auto& cell : twins.state.mesh.solid.nodes)
         for (int& i : cell)

@@ -14,8 +14,8 @@ namespace {
 
 //   6----7----8      fluid: the four triangles of the two upper cells (nodes 3 4 5 6 7 8)
 //   | f / | f /|     solid: the four of the lower cells (0 1 2 3 4 5)
-//   | /   | /  |     wall: the right side 5-8 (fluid on the left of 5 -> 8)
-//   3----4----5      node 9 alone, node 10 alone on the wall above
+//   | /   | /  |     wall: the right side, under the nodes 5 and 8
+//   3----4----5      node 9 alone, nodes 10 11 12 points of the wall
 //   | s / | s /|
 //   0----1----2
 Mesh<2> layers() {
@@ -24,8 +24,21 @@ Mesh<2> layers() {
     mesh.fluid.nodes = {{3, 4, 7}, {3, 7, 6}, {4, 5, 8}, {4, 8, 7}};
     mesh.solid.material.assign(4, 1);
     mesh.fluid.material.assign(4, 0);
-    mesh.patches = {{"side", {{5, 8}, {8, 10}}}};
+    mesh.patches = {{"side", {{10, 11}, {11, 12}}}};
     return mesh;
+}
+
+const Points<2> places = {{0, 0}, {1, 0}, {2, 0}, {0, 1}, {1, 1}, {2, 1}, {0, 2}, {1, 2}, {2, 2}, {5, 5}, {2, 1}, {2, 2}, {2, 3}};
+
+/// Nodes without walls, but for these.
+std::vector<Supports<2>> supports(int n, const std::map<int, Supports<2>>& of = {}) {
+    std::vector<Supports<2>> all(n, unsupported<2>());
+    for (const auto& [node, faces] : of) all[node] = faces;
+    return all;
+}
+
+Topology<2> layersTopology() {
+    return makeTopology<2>(layers(), {PatchKind::wall}, places, supports(13, {{8, {0, -1}}}));
 }
 
 std::map<std::set<int>, FaceKind> facesOf(const Topology<2>& t) {
@@ -57,7 +70,7 @@ TEST(Adjacency, cellsAndNodesAroundANode) {
 
 TEST(Adjacency, boundaryFacesHaveTheirCellOnTheLeft) {
     const auto mesh = layers();
-    const Points<2> x = {{0, 0}, {1, 0}, {2, 0}, {0, 1}, {1, 1}, {2, 1}, {0, 2}, {1, 2}, {2, 2}, {5, 5}, {2, 3}};
+    const Points<2>& x = places;
     const auto faces = boundaryFaces<2>(mesh.fluid.nodes, nodeToCells<2>(mesh.fluid.nodes, 11));
     EXPECT_EQ(faces.size(), 6u);
     for (const auto& face : faces) {
@@ -70,7 +83,7 @@ TEST(Adjacency, boundaryFacesHaveTheirCellOnTheLeft) {
 }
 
 TEST(Topology, kindsOfFaces) {
-    const auto t = makeTopology<2>(layers(), {PatchKind::wall}, std::vector<int>(11, -1));
+    const auto t = layersTopology();
     const auto kinds = facesOf(t);
     EXPECT_EQ(kinds.size(), 6u);
     EXPECT_EQ(kinds.at({3, 4}), FaceKind::interface);
@@ -82,31 +95,35 @@ TEST(Topology, kindsOfFaces) {
 }
 
 TEST(Topology, rolesOfNodes) {
-    const auto t = makeTopology<2>(layers(), {PatchKind::wall}, std::vector<int>(11, -1));
+    const auto t = layersTopology();
     const auto is = [](const auto& flag) {
         std::vector<int> nodes;
-        for (int i = 0; i < 11; ++i)
+        for (int i = 0; i < 13; ++i)
             if (flag(i)) nodes.push_back(i);
         return nodes;
     };
     EXPECT_EQ(is([&](int i) { return t.onSolid[i]; }), (std::vector<int>{0, 1, 2, 3, 4, 5}));
-    EXPECT_EQ(is([&](int i) { return t.corner[i]; }), (std::vector<int>{5, 8, 10}));
-    EXPECT_EQ(is([&](int i) { return t.onSolidOrCorner(i); }), (std::vector<int>{0, 1, 2, 3, 4, 5, 8, 10}));
+    EXPECT_EQ(is([&](int i) { return t.wallPoint[i]; }), (std::vector<int>{10, 11, 12}));
+    EXPECT_EQ(is([&](int i) { return t.ofFluid(i); }), (std::vector<int>{6, 7, 8, 9}));
+    EXPECT_EQ(is([&](int i) { return t.onWall[i]; }), (std::vector<int>{8}));
+    EXPECT_EQ(is([&](int i) { return isSupported(t.supports[i]); }), (std::vector<int>{5, 8}));  // the solid touches
     EXPECT_EQ(is([&](int i) { return t.freeSurface[i]; }), (std::vector<int>{3, 6, 7, 8}));
     EXPECT_EQ(is([&](int i) { return t.wet(i); }), (std::vector<int>{3, 4, 5, 6, 7, 8}));
     EXPECT_EQ(is([&](int i) { return t.interface(i); }), (std::vector<int>{3, 4, 5}));
-    EXPECT_EQ(is([&](int i) { return t.isolated(i); }), (std::vector<int>{9}));  // 10 is a dry corner of a wall
+    EXPECT_EQ(is([&](int i) { return t.isolated(i); }), (std::vector<int>{9}));
 }
 
-// Nodes slide along walls whose faces have only corners as nodes of their own.
+// Nodes slide along walls that have points of their own; one in a corner lies on two.
 TEST(Topology, facesOfSlidingNodes) {
-    // floor from corner 0 to corner 4, wall from corner 4 up to 5; nodes 1 2 slide along the floor, 6 along the wall
+    // floor from point 0 to point 5, wall from there up to 7; nodes 1 2 slide along the floor, 6 along the wall, 4 is
+    // held in the corner
     Mesh<2> mesh;
     mesh.fluid.nodes = {{1, 2, 3}, {2, 4, 6}, {2, 6, 3}};
     mesh.fluid.material.assign(3, 0);
-    mesh.patches = {{"outlet", {{7, 8}}}, {"tank", {{0, 4}, {4, 5}}}};
-    const std::vector<int> wall = {-1, 1, 1, -1, -1, -1, 2, -1, -1};  // counted over all patches
-    const auto t = makeTopology<2>(mesh, {PatchKind::symmetry, PatchKind::wall}, wall);
+    mesh.patches = {{"outlet", {{8, 9}}}, {"tank", {{0, 5}, {5, 7}}}};
+    const Points<2> x = {{-1, 0}, {0, 0}, {1, 0}, {1, 1}, {2, 0}, {2, 0}, {2, 1}, {2, 5}, {0, 9}, {1, 9}};
+    const auto wall = supports(10, {{1, {1, -1}}, {2, {1, -1}}, {4, {1, 2}}, {6, {2, -1}}});  // over all patches
+    const auto t = makeTopology<2>(mesh, {PatchKind::symmetry, PatchKind::wall}, x, wall);
     const auto kinds = facesOf(t);
     EXPECT_EQ(kinds.size(), 5u);
     EXPECT_EQ(kinds.at({1, 2}), FaceKind::wall);
@@ -114,12 +131,34 @@ TEST(Topology, facesOfSlidingNodes) {
     EXPECT_EQ(kinds.at({4, 6}), FaceKind::wall);
     EXPECT_EQ(kinds.at({3, 6}), FaceKind::freeSurface);
     EXPECT_EQ(kinds.at({1, 3}), FaceKind::freeSurface);
-    EXPECT_TRUE(t.onWall[1] && t.onWall[6] && !t.onWall[4]);
-    EXPECT_FALSE(t.isolated(0));  // a dry corner
+    EXPECT_TRUE(t.onWall[1] && t.onWall[6] && t.onWall[4]);
+    EXPECT_FALSE(t.isolated(0));  // a point of a wall
     mesh.fluid.nodes = {{2, 6, 3}};
     mesh.fluid.material = {0};
-    const auto across = facesOf(makeTopology<2>(mesh, {PatchKind::symmetry, PatchKind::wall}, wall));
+    const auto across = facesOf(makeTopology<2>(mesh, {PatchKind::symmetry, PatchKind::wall}, x, wall));
     EXPECT_EQ(across.at({2, 6}), FaceKind::freeSurface);  // two walls: across the corner, not along a wall
+}
+
+// Round a convex corner there is no air; a face of one region that looks away from the wall is the surface of a puddle.
+TEST(Topology, facesOnBentWalls) {
+    Mesh<2> mesh;  // a step down: from (0 1) to (1 1), then to (1 0); nodes 3 and 4 on both sides of its corner
+    mesh.fluid.nodes = {{3, 4, 5}};
+    mesh.fluid.material = {0};
+    mesh.patches = {{"step", {{0, 1}, {1, 2}}}};
+    const Points<2> x = {{0, 1}, {1, 1}, {1, 0}, {0.9, 1}, {1, 0.8}, {1.2, 1.1}};
+    const auto step = facesOf(
+        makeTopology<2>(mesh, {PatchKind::wall}, x, supports(6, {{3, {0, -1}}, {4, {1, -1}}})));
+    EXPECT_EQ(step.at({3, 4}), FaceKind::wall);
+    EXPECT_EQ(step.at({4, 5}), FaceKind::freeSurface);
+
+    mesh.fluid.nodes = {{3, 4, 5}};  // a trough with bends of 19 degrees
+    const Points<2> trough = {{-1, 0.16}, {0, 0}, {1, 0.16}, {-0.5, 0.08}, {0, 0}, {0.5, 0.08}};
+    const auto puddle = makeTopology<2>(mesh, {PatchKind::wall}, trough,
+                                        supports(6, {{3, {0, -1}}, {4, {0, -1}}, {5, {1, -1}}}));
+    EXPECT_EQ(puddle.walls[0].region, puddle.walls[1].region);
+    EXPECT_EQ(facesOf(puddle).at({3, 4}), FaceKind::wall);
+    EXPECT_EQ(facesOf(puddle).at({4, 5}), FaceKind::wall);
+    EXPECT_EQ(facesOf(puddle).at({3, 5}), FaceKind::freeSurface);
 }
 
 TEST(Topology, twoFreeSurfaceNodesDoNotMakeAFace) {
@@ -127,7 +166,7 @@ TEST(Topology, twoFreeSurfaceNodesDoNotMakeAFace) {
     Mesh<2> mesh;
     mesh.fluid.nodes = {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}};
     mesh.fluid.material.assign(4, 0);
-    const auto t = makeTopology<2>(mesh, {}, std::vector<int>(6, -1));
+    const auto t = makeTopology<2>(mesh, {}, Points<2>(6, Vec<2>::Zero()), supports(6));
     const auto kinds = facesOf(t);
     EXPECT_EQ(kinds.size(), 6u);
     EXPECT_EQ(kinds.count({1, 4}), 0u);
@@ -145,7 +184,7 @@ TEST(Topology, faceAcrossAConcaveSolidCorner) {
     mesh.solid.material.assign(2, 1);
     mesh.fluid.nodes = {{0, 1, 2}};
     mesh.fluid.material.assign(1, 0);
-    const auto t = makeTopology<2>(mesh, {}, std::vector<int>(5, -1));
+    const auto t = makeTopology<2>(mesh, {}, {{1, 0}, {0, 0}, {0, 1}, {1, -1}, {-1, 1}}, supports(5));
     const auto kinds = facesOf(t);
     EXPECT_EQ(kinds.at({0, 1}), FaceKind::interface);
     EXPECT_EQ(kinds.at({1, 2}), FaceKind::interface);
@@ -157,10 +196,11 @@ TEST(Topology, faceOnASymmetryPatchIsClosed) {
     mesh.fluid.nodes = {{0, 1, 2}};
     mesh.fluid.material.assign(1, 0);
     mesh.patches = {{"plane", {{0, 1}}}};
-    const auto kinds = facesOf(makeTopology<2>(mesh, {PatchKind::symmetry}, {-1, -1, -1}));
+    const Points<2> x = {{0, 0}, {1, 0}, {0, 1}};
+    const auto kinds = facesOf(makeTopology<2>(mesh, {PatchKind::symmetry}, x, supports(3)));
     EXPECT_EQ(kinds.at({0, 1}), FaceKind::wall);
     EXPECT_EQ(kinds.at({1, 2}), FaceKind::freeSurface);
-    const auto clamped = facesOf(makeTopology<2>(mesh, {PatchKind::edge}, {-1, -1, -1}));
+    const auto clamped = facesOf(makeTopology<2>(mesh, {PatchKind::edge}, x, supports(3)));
     EXPECT_EQ(clamped.at({0, 1}), FaceKind::freeSurface);
 }
 
@@ -170,7 +210,7 @@ TEST(Topology, threeDimensions) {
     mesh.fluid.material = {0};
     mesh.solid.nodes = {{0, 2, 1, 4}};
     mesh.solid.material = {1};
-    const auto t = makeTopology<3>(mesh, {}, std::vector<int>(5, -1));
+    const auto t = makeTopology<3>(mesh, {}, Points<3>(5, Vec<3>::Zero()), std::vector<Supports<3>>(5, unsupported<3>()));
     int interface = 0, surface = 0;
     for (const auto& face : t.faces) {
         interface += face.kind == FaceKind::interface;

@@ -44,7 +44,7 @@ inline void expectSame(const State<2>& a, const State<2>& b) {
         EXPECT_NEAR(lengthOf(a, patch.name), lengthOf(b, patch.name), 1e-9) << patch.name;
     }
     const auto sliding = [](const State<2>& s) {
-        return std::count_if(s.nodes.wall.begin(), s.nodes.wall.end(), [](int w) { return w >= 0; });
+        return std::count_if(s.nodes.wall.begin(), s.nodes.wall.end(), [](const auto& w) { return isSupported(w); });
     };
     EXPECT_EQ(sliding(a), sliding(b));
 }

@@ -39,7 +39,7 @@ Points<2> residual(const TestCase& c, bool meniscus) {
     auto R = momentumResidual<2>(nodalMass<2>(fluid, solid), nodes, fluid, solid, external, 1);
     const auto constraints = c.constraints(topology);
     for (int i = 0; i < nodes.size(); ++i)
-        R[i] = topology.onSolidOrCorner(i) ? Vec<2>(0, 0) : Vec<2>(constraints.project(i, R[i]));
+        R[i] = !topology.ofFluid(i) ? Vec<2>(0, 0) : Vec<2>(constraints.project(i, R[i]));
     return R;
 }
 
@@ -64,20 +64,20 @@ TEST(Meniscus, isAForceWithin) {
     double lifted = 0;
     for (int i = 0; i < c.state.nodes.size(); ++i) {
         sum += force[i];
-        if (!topology.onSolidOrCorner(i)) lifted += force[i][1];
+        if (topology.ofFluid(i)) lifted += force[i][1];
     }
     EXPECT_LT(sum.norm(), 1e-12);
     double width = 0;
     for (const auto& face : topology.faces)
         if (face.kind == FaceKind::freeSurface &&
-            topology.onSolidOrCorner(face.nodes[0]) != topology.onSolidOrCorner(face.nodes[1]))
+            topology.onSolid[face.nodes[0]] != topology.onSolid[face.nodes[1]])
             width = std::abs(c.state.nodes.x[face.nodes[0]][0] - c.state.nodes.x[face.nodes[1]][0]);
     EXPECT_NEAR(lifted, rho * g * 0.03 * width / 6, 1e-9 * rho * g);
 
     Nodes<2> sunk = c.state.nodes;
     const double down = 1e-6;
     for (int i = 0; i < sunk.size(); ++i)
-        if (!topology.onSolidOrCorner(i)) sunk.x[i][1] -= down;
+        if (topology.ofFluid(i)) sunk.x[i][1] -= down;
     EXPECT_NEAR(meniscusWork<2>(c.problem, c.state.mesh.fluid, topology, c.state.nodes, sunk, 0.5), -lifted * down,
                 1e-3 * lifted * down);
 }

@@ -68,7 +68,7 @@ TEST_P(DamBreak, ledgerAddsUp) {
     for (int i = 0; i < c.state.nodes.size(); ++i) {
         const Vec<2>& x = c.state.nodes.x[i];
         EXPECT_TRUE(x[0] > -1e-9 && x[0] < 0.4 + 1e-9 && x[1] > -1e-9) << x.transpose();
-        if (!topology.onSolid[i]) {
+        if (topology.ofFluid(i)) {
             EXPECT_FALSE(solid.contains(x)) << x.transpose();
         }
     }

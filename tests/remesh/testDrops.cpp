@@ -35,7 +35,7 @@ int addDrop(State<2>& state, const Vec<2>& x, const Vec<2>& v) {
     nodes.a.back() = {0, -9.81};
     nodes.p.back() = nodes.lostVolume.back() = 0;
     nodes.dropVolume.back() = volume;
-    nodes.wall.back() = -1;
+    nodes.wall.back() = unsupported<2>();
     return nodes.size() - 1;
 }
 
@@ -49,13 +49,13 @@ TEST(Drops, landWhereTheirWayCrossesAWall) {
     x[side] += Vec<2>(0.4, -0.4);
     x[floor] += Vec<2>(0.1, -1.2);
     x[past] += Vec<2>(0.2, 1.2);  // over the end of the wall
-    landOnWalls<2>(c.controls.remeshing.walls, topology, old, c.state);
+    landOnWalls<2>(c.controls.remeshing.walls, topology, old, 9.81, c.state);
     EXPECT_LT((x[side] - Vec<2>(1, 0.7)).norm(), 1e-12);
     EXPECT_LT((x[floor] - Vec<2>(0.85, 0)).norm(), 1e-12);
     EXPECT_LT((x[past] - Vec<2>(1.1, 2.1)).norm(), 1e-12);
-    EXPECT_GE(c.state.nodes.wall[side], 0);
-    EXPECT_GE(c.state.nodes.wall[floor], 0);
-    EXPECT_LT(c.state.nodes.wall[past], 0);
+    EXPECT_TRUE(isSupported(c.state.nodes.wall[side]));
+    EXPECT_TRUE(isSupported(c.state.nodes.wall[floor]));
+    EXPECT_FALSE(isSupported(c.state.nodes.wall[past]));
     EXPECT_LT((c.state.nodes.v[side] - Vec<2>(0, -40)).norm(), 1e-12);
 }
 
@@ -69,7 +69,7 @@ TEST(Drops, aStepOfManyTriangles) {
         ASSERT_GE(drop, 0);
         EXPECT_NEAR(c.state.nodes.x[drop][0], 1, 1e-12);
         EXPECT_NEAR(c.state.nodes.x[drop][1], 0.9, 1e-3);
-        EXPECT_GE(c.state.nodes.wall[drop], 0);
+        EXPECT_TRUE(isSupported(c.state.nodes.wall[drop]));
     }
 }
 

@@ -24,7 +24,7 @@ TestCase blockOver(const std::string& floor, double gap, double v) {
 bool touches(const TestCase& c) {
     const auto topology = c.topology();
     for (int i = 0; i < c.state.nodes.size(); ++i)
-        if (topology.wet(i) && (topology.onSolid[i] || topology.onWall[i] || topology.corner[i])) return true;
+        if (topology.wet(i) && (topology.onSolid[i] || topology.onWall[i])) return true;
     return false;
 }
 

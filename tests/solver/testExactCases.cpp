@@ -152,24 +152,14 @@ TEST(SlipWall, uniformFlowBetweenTwoWallsGoesOn) {
     EXPECT_LT(error, 1e-9);
 }
 
-// A step that fails, in the iteration or in the remeshing, leaves the last good state.
+// A step that fails, in the iteration or after the remeshing, leaves the last good state.
 TEST(FailedStep, leavesTheState) {
-    for (const bool inRemeshing : {false, true}) {
+    for (const bool afterRemeshing : {false, true}) {
         TestCase c = tank("slip");
         c.start(1e-3);
         c.step(1e-3);
-        if (inRemeshing) {  // a wall across the others, that only the triangulation sees
-            auto& nodes = c.state.nodes;
-            const int n = nodes.size();
-            for (const Vec<2>& x : {Vec<2>(-0.5, 0.8), Vec<2>(0.5, 0.8)}) {
-                nodes.append(nodes, 0);
-                nodes.id.back() = c.state.nextId++;
-                nodes.x.back() = nodes.X.back() = x;
-                nodes.v.back() = nodes.a.back() = Vec<2>::Zero();
-                nodes.wall.back() = -1;
-                nodes.p.back() = 0;
-            }
-            c.state.mesh.patches[0].faces.push_back({n, n + 1});
+        if (afterRemeshing) {
+            c.controls.convergence.maxVolumeChange = -1;
         } else {
             c.controls.convergence.tolU = 1e-300;
             c.controls.convergence.maxIterations = 3;

@@ -194,7 +194,7 @@ TEST(Inelastic, RandomContactsThatShareNodes) {
             c.state.mesh.fluid.material.resize(c.state.mesh.fluid.nodes.size());
             const auto topology = c.topology();
             for (int i = 0; i < nodes.size(); ++i)  // along walls the nodes come near to each other
-                if (!topology.corner[i])
+                if (!topology.wallPoint[i])
                     nodes.x[i] += c.constraints(topology).project(i, Vec<2>(number(-0.04, 0.04), number(-0.04, 0.04)));
             std::vector<Simplex<2>> contacts;
             for (const auto& s : c.state.mesh.fluid.nodes)
@@ -207,8 +207,13 @@ TEST(Inelastic, RandomContactsThatShareNodes) {
             for (int i = 0; i < nodes.size(); ++i) {
                 nodes.v[i] = {number(-2, 2), number(-2, 2)};
                 // what has just been covered still has the velocity with which it crept
-                if (now.onWall[i]) nodes.v[i] -= constraints.normal[i] * constraints.normal[i].dot(nodes.v[i]);
-                if (now.corner[i]) nodes.v[i].setZero();
+                if (now.onWall[i])
+                    for (const int w : now.supports[i])
+                        if (w >= 0) {
+                            const Vec<2> normal = inwardNormal<2>(nodes.x, now.walls[w].nodes);
+                            nodes.v[i] -= normal * normal.dot(nodes.v[i]);
+                        }
+                if (now.wallPoint[i]) nodes.v[i].setZero();
             }
             const auto mass = fluidMass<2>(c.problem, c.state.mesh.fluid, nodes.x);
             const auto energy = [&] {

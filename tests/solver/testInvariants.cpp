@@ -27,7 +27,7 @@ protected:
     /// What is said about `next_`; "" when it passes.
     std::string complaint() const {
         try {
-            checkInvariants<2>(c_.controls.convergence, makeTopology<2>(last_.mesh, c_.kinds(), last_.nodes.wall),
+            checkInvariants<2>(c_.controls.convergence, makeTopology<2>(last_.mesh, c_.kinds(), last_.nodes.x, last_.nodes.wall),
                                last_, next_);
         } catch (const StepFailure& failure) {
             return failure.what();
@@ -64,7 +64,7 @@ int addDrop(State<2>& state, const Vec<2>& x) {
     state.nodes.append(state.nodes, state.nodes.size() - 1);
     state.nodes.id.back() += 1;
     state.nodes.x.back() = x;
-    state.nodes.wall.back() = -1;
+    state.nodes.wall.back() = unsupported<2>();
     state.nodes.v.back().setZero();
     return state.nodes.size() - 1;
 }
@@ -113,7 +113,7 @@ TEST_F(Invariants, Speed) {
 // push.
 TEST_F(Invariants, SpeedGain) {
     auto& nodes = next_.nodes;
-    const auto topology = makeTopology<2>(next_.mesh, c_.kinds(), nodes.wall);
+    const auto topology = makeTopology<2>(next_.mesh, c_.kinds(), nodes.x, nodes.wall);
     for (auto& v : nodes.v) v = Vec<2>::Zero();
     nodes.v[fluidNode()] = {3, 4};
     const double allowed = allowedSpeed<2>(topology, nodes);

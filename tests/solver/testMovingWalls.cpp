@@ -182,12 +182,12 @@ TEST(Piston, longStrokeKeepsTheWater) {
     c.controls.continuity.volumeCorrectionTime = 0;
     const double volume = totalVolume<2>(c.state);
     c.start(5e-3);
-    int foot = nearestNode(c.state.nodes.x, {0, 0});
+    int foot = c.state.mesh.patches[0].faces[0][1];
     const Id id = c.state.nodes.id[foot];
+    ASSERT_LT(c.state.nodes.x[foot].norm(), 1e-9);
     for (int n = 0; n < 400; ++n) {
         c.step(5e-3);
         foot = nodeOf(c.state.nodes, id);
-        EXPECT_GE(c.state.nodes.wall[foot], 0) << "the foot stands on the floor";
         const double x = c.state.nodes.x[foot][0];
         for (int i = 0; i < c.state.nodes.size(); ++i)
             if (c.topology().wet(i)) {
@@ -240,7 +240,7 @@ TEST(Gate, liftsFromTheFloor) {
         std::cout << speed << " m/s: front at " << fronts.back() << " m, volume changes by "
                   << totalVolume<2>(c.state) / volume - 1 << "\n";
         EXPECT_NEAR(totalVolume<2>(c.state), volume, 0.02 * volume);
-        const int foot = nearestNode(c.state.nodes.X, {0.5, 0});
+        const int foot = c.state.mesh.patches[0].faces[0][0];
         EXPECT_NEAR(c.state.nodes.x[foot][1], c.state.time.value * std::stod(speed), 1e-6);
     }
     std::cout << "no gate: " << front(sudden) << " m\n";

@@ -44,7 +44,7 @@ void run(const std::vector<Rule>& rules, TestCase& c) {
 TEST(RemeshingRules, order) {
     std::vector<std::string> names;
     for (const auto& rule : remeshingRules<2>()) names.push_back(rule.name);
-    EXPECT_EQ(names, (std::vector<std::string>{"standOnWalls", "surfaceShift", "releaseFromWalls", "landOnWalls",
+    EXPECT_EQ(names, (std::vector<std::string>{"surfaceShift", "releaseFromWalls", "landOnWalls",
                                                "returnPenetrating", "chargeMotion", "letGo", "remesh", "strike"}));
 }
 

@@ -27,7 +27,7 @@ TestCase tank(const std::string& shape, const std::string& wall, double h, doubl
     std::mt19937 random(3);
     std::uniform_real_distribution<double> shift(-0.1 * h, 0.1 * h);
     for (int i = 0; i < c.state.nodes.size(); ++i)
-        if (topology.wet(i) && !topology.freeSurface[i] && !topology.onWall[i] && !topology.onSolidOrCorner(i))
+        if (topology.wet(i) && !topology.freeSurface[i] && !topology.onWall[i] && !topology.onSolid[i])
             c.state.nodes.x[i] += Vec<2>(shift(random), shift(random));
     return c;
 }

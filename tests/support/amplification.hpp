@@ -51,9 +51,10 @@ class StateVector {
         }
     }
     static std::vector<Vec<2>> freeDirections(const NodeConstraints<2>& constraints, int i) {
-        if (constraints.type[i] == Constraint::fixed) return {};
-        if (constraints.type[i] == Constraint::free) return {{1, 0}, {0, 1}};
-        return {Vec<2>(-constraints.normal[i][1], constraints.normal[i][0])};
+        const Freedom<2>& freedom = constraints.freedom[i];
+        std::vector<Vec<2>> directions;
+        for (int c = 0; c < freedom.count; ++c) directions.push_back(freedom.basis.col(c));
+        return directions;
     }
 
 public:
@@ -113,7 +114,7 @@ public:
         for (int i = 0; i < rest_.size(); ++i) {
             if (!topology.onSolid[i]) continue;
             solids = true;
-            held |= constraints.type[i] != Constraint::free;
+            held |= !constraints.freedom[i].all();
             shifted.x[i][0] += rest_.h[i];
         }
         if (solids && !held) found.push_back(of(shifted));
