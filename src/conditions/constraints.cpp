@@ -64,33 +64,6 @@ struct NormalCollector {
     }
 };
 
-/// Outward areas of the wall's faces around each node, by the supports they belong to.
-template <int Dim>
-std::vector<std::array<Vec<Dim>, Dim>> wallAreas(const Topology<Dim>& topology, const Points<Dim>& x) {
-    std::array<Vec<Dim>, Dim> none;
-    none.fill(Vec<Dim>::Zero());
-    std::vector<std::array<Vec<Dim>, Dim>> areas(x.size(), none);
-    for (const auto& face : topology.faces) {
-        const int wall = face.kind == FaceKind::wall ? commonWall(topology, face.nodes) : -1;
-        if (wall < 0) continue;
-        const Vec<Dim> area = faceArea<Dim>(x, face.nodes);
-        for (const int node : face.nodes)
-            for (int k = 0; k < Dim; ++k) {
-                const int own = topology.supports[node][k];
-                if (own >= 0 && topology.joined(own, wall)) areas[node][k] += area;
-            }
-    }
-    return areas;
-}
-
-/// The normal of a wall for a node on it: that of the sum of the wall's faces around it, on a plane that of the plane.
-template <int Dim>
-Vec<Dim> normalFor(const Vec<Dim>& area, const Vec<Dim>& inward) {
-    if (area.squaredNorm() == 0) return inward;
-    const Vec<Dim> mean = -area.normalized();
-    return (mean - inward).norm() < 1e-9 || mean.dot(inward) < 0.5 ? inward : mean;
-}
-
 }  // namespace
 
 template <int Dim>
@@ -116,7 +89,6 @@ NodeConstraints<Dim> nodeConstraints(const Mesh<Dim>& mesh, const BoundaryCondit
                 planes.add(node, faceArea<Dim>(nodes.X, face).normalized());
             }
 
-    const auto areas = wallAreas<Dim>(topology, nodes.x);
     for (std::size_t i = 0; i < n; ++i) {
         if (fixedBy[i] < 0 && planeOf[i] < 0 && !topology.onWall[i]) continue;
         Hold<Dim> hold;
@@ -126,13 +98,13 @@ NodeConstraints<Dim> nodeConstraints(const Mesh<Dim>& mesh, const BoundaryCondit
                 if (normal.squaredNorm() > 0) hold.along(normal, -1);
         int sticksTo = -1;
         for (int k = 0; topology.onWall[i] && k < Dim && topology.supports[i][k] >= 0; ++k) {
-            const auto& wall = topology.walls[topology.supports[i][k]];
-            const PatchType& type = *conditions.type[wall.patch];
-            const int mover = moverOf(wall.patch);
-            Vec<Dim> normal = normalFor<Dim>(areas[i][k], inwardNormal<Dim>(nodes.x, wall.nodes));
+            const int wall = topology.supports[i][k], patch = topology.walls[wall].patch;
+            const PatchType& type = *conditions.type[patch];
+            const int mover = moverOf(patch);
+            Vec<Dim> normal = placeOnRegion<Dim>(topology.walls, nodes.x, wall, nodes.x[i]).normal;
             if (mover >= 0) normal = (c.motion[mover].rotation * normal).eval();
             hold.along(normal, mover);
-            if ((topology.freeSurface[i] ? type.contactLine : type.wet) == Constraint::fixed) sticksTo = wall.patch;
+            if ((topology.freeSurface[i] ? type.contactLine : type.wet) == Constraint::fixed) sticksTo = patch;
         }
         if (sticksTo >= 0) hold.wholly(moverOf(sticksTo));
         c.freedom[i] = hold.freedom();

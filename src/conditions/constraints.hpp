@@ -56,9 +56,8 @@ private:
 
 /// Constraints of all nodes for the step from t0 to t1. On symmetry patches normals come from the reference positions
 /// X; those that differ by less than 20 degrees are one. A fluid node on a slip wall slides over it, along the edge of
-/// two; on a no-slip wall it sticks, except at the contact line, which could not move otherwise. On a bent wall it
-/// slides perpendicular to the sum of the wall's faces around it: so it changes no volume. Clamps hold before walls.
-/// What is held follows the motion of its patch.
+/// two; on a no-slip wall it sticks, except at the contact line, which could not move otherwise. Clamps hold before
+/// walls. What is held follows the motion of its patch.
 template <int Dim>
 NodeConstraints<Dim> nodeConstraints(const Mesh<Dim>& mesh, const BoundaryConditions<Dim>& conditions,
                                      const Topology<Dim>& topology, const Nodes<Dim>& nodes, double t0, double t1);

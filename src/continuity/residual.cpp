@@ -2,6 +2,7 @@
 
 #include "base/parallel.hpp"
 #include "continuity/stabilisation.hpp"
+#include "momentum/bentWalls.hpp"
 #include "momentum/meniscus.hpp"
 
 namespace pfem {
@@ -117,6 +118,7 @@ std::vector<double> continuityResidual(const Step<Dim>& step, const ContinuityCo
         if (around.count(i) > 0) R[i] -= returnRate * old.lostVolume[i];
     }
 
+    subtractChordFlux<Dim>(topology, step.constraints, trial.end, R);
     for (const auto& face : topology.faces) {
         const bool free = face.kind == FaceKind::freeSurface;
         if (!free && (inertia || !controls.interfaceAcceleration)) continue;

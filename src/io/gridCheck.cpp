@@ -117,6 +117,7 @@ Damage damageOfTag(const std::string& file, std::string tag, std::uint64_t base,
     const std::string array = fmt::format("array '{}' ", attribute(tag, "Name").value_or("without name"));
     if (const auto type = attribute(tag, "type"); name.ends_with("Array") && (!type || !isOneOf(*type, types)))
         return {array + "has an unknown type", 0, true};
+    if (name.ends_with("Array") && !attribute(tag, "Name")) return {array + "cannot be told from others", 0, true};
     for (const char* count : {"NumberOfPoints", "NumberOfCells", "NumberOfTuples", "NumberOfComponents"})
         if (const auto text = attribute(tag, count)) {
             const auto number = wholeNumber(*text);

@@ -58,6 +58,22 @@ void joinAt(const std::vector<Side>& sides, const Points<Dim>& x, std::vector<Wa
     }
 }
 
+/// Normals at the points of each region: those of its faces, by their measures.
+template <int Dim>
+void setNormals(const Points<Dim>& x, std::vector<int>& parent, std::vector<WallFace<Dim>>& walls) {
+    std::map<std::pair<int, int>, Vec<Dim>> sum;  // by region and point
+    for (int w = 0; w < static_cast<int>(walls.size()); ++w)
+        for (const int node : walls[w].nodes)
+            sum.emplace(std::pair(root(parent, w), node), Vec<Dim>::Zero()).first->second -=
+                faceArea<Dim>(x, walls[w].nodes);
+    for (int w = 0; w < static_cast<int>(walls.size()); ++w)
+        for (int k = 0; k < Dim; ++k) {
+            Vec<Dim>& normal = walls[w].normal[k];
+            normal = sum.at({root(parent, w), walls[w].nodes[k]}).normalized();
+            walls[w].bent |= (normal - inwardNormal<Dim>(x, walls[w].nodes)).norm() > 1e-9;
+        }
+}
+
 /// Nearest point of a face, and whether it lies on the edge opposite to a node and the point beyond it; else -1.
 std::pair<Vec<2>, int> nearestOn(const Points<2>& x, const Face<2>& face, const Vec<2>& point) {
     const Vec<2> a = x[face[0]], t = x[face[1]] - a;
@@ -108,6 +124,7 @@ std::vector<WallFace<Dim>> wallFaces(const std::vector<Patch<Dim>>& patches, con
     std::vector<int> parent(walls.size());
     std::iota(parent.begin(), parent.end(), 0);
     for (const auto& [edge, around] : sides) joinAt<Dim>(around, x, walls, parent);
+    setNormals<Dim>(x, parent, walls);
     int nRegions = 0;
     for (std::size_t w = 0; w < walls.size(); ++w) {
         if (walls[w].patch < 0) continue;
@@ -128,6 +145,40 @@ std::vector<std::pair<int, int>> convexPairs(const std::vector<WallFace<Dim>>& w
     return pairs;
 }
 
+namespace {
+
+/// a -> b with the normals there: x(s) = Hermite's cubic with the tangents T_k = d - n_k (n_k . d), d = b - a.
+struct Curve {
+    Vec<2> a, d, Ta, Tb;
+
+    Vec<2> at(double s) const {
+        return a + s * s * (3 - 2 * s) * d + s * (1 - s) * (1 - s) * Ta - s * s * (1 - s) * Tb;
+    }
+    Vec<2> slope(double s) const {
+        return 6 * s * (1 - s) * d + (1 - s) * (1 - 3 * s) * Ta + s * (3 * s - 2) * Tb;
+    }
+};
+
+/// The point of the curved face nearest to the one that is nearest on the straight face.
+template <int Dim>
+void bend(const WallFace<Dim>& face, const Points<Dim>& x, const Vec<Dim>& point, WallPlace<Dim>& place) {
+    place.normal = inwardNormal<Dim>(x, face.nodes);
+    if constexpr (Dim == 2) {
+        if (!face.bent) return;
+        const Vec<2> a = x[face.nodes[0]], d = x[face.nodes[1]] - a;
+        const auto tangent = [&](const Vec<2>& n) { return Vec<2>(d - n * n.dot(d)); };
+        const Curve curve{a, d, tangent(face.normal[0]), tangent(face.normal[1])};
+        double s = std::clamp(d.dot(point - a) / d.squaredNorm(), 0.0, 1.0);
+        for (int k = 0; k < 4; ++k)  // (point - x(s)) . x'(s) = 0
+            s = std::clamp(s + curve.slope(s).dot(point - curve.at(s)) / curve.slope(s).squaredNorm(), 0.0, 1.0);
+        place.x = curve.at(s);
+        const Vec<2> t = curve.slope(s).normalized();
+        place.normal = {-t[1], t[0]};
+    }
+}
+
+}  // namespace
+
 template <int Dim>
 WallPlace<Dim> placeOnRegion(const std::vector<WallFace<Dim>>& walls, const Points<Dim>& x, int face,
                              const Vec<Dim>& point) {
@@ -147,7 +198,9 @@ WallPlace<Dim> placeOnRegion(const std::vector<WallFace<Dim>>& walls, const Poin
         }
     }
     const bool ends = beyond >= 0 && walls[face].bend[beyond] != Bend::smooth;
-    return {face, nearest, ends ? beyond : -1};
+    WallPlace<Dim> place{face, nearest, {}, ends ? beyond : -1};
+    bend<Dim>(walls[face], x, point, place);
+    return place;
 }
 
 #define PFEM_INSTANTIATE(D)                                                                                      \

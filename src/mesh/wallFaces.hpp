@@ -29,6 +29,8 @@ struct WallFace {
     int region = -1;    // of the walls
     Face<Dim> next{};   // the face beyond the edge opposite to node k, -1: none
     std::array<Bend, Dim> bend{};
+    bool bent = false;                   // its region is, here
+    std::array<Vec<Dim>, Dim> normal{};  // into the fluid at each node: the mean of the region's faces there
 };
 
 /// All faces of all patches in their order, as counted by Nodes::wall. `isWall`: per patch; x: of the walls' points.
@@ -48,11 +50,13 @@ Vec<Dim> inwardNormal(const Points<Dim>& x, const Face<Dim>& face);
 template <int Dim>
 struct WallPlace {
     int face = -1;
-    Vec<Dim> x = Vec<Dim>::Zero();  // the nearest point of the region
-    int beyond = -1;                // the point lies beyond this edge of `face`, with which the region ends
+    Vec<Dim> x = Vec<Dim>::Zero();       // the nearest point of the region
+    Vec<Dim> normal = Vec<Dim>::Zero();  // there, into the fluid
+    int beyond = -1;                     // the point lies beyond this edge of `face`, with which the region ends
 };
 
-/// Walks from `face` over its region to the face nearest to the point.
+/// Walks from `face` over its region to the face nearest to the point. A bent region is as smooth as it is meant: between
+/// its points it is a curve of third order with the normals there (2D).
 template <int Dim>
 WallPlace<Dim> placeOnRegion(const std::vector<WallFace<Dim>>& walls, const Points<Dim>& x, int face,
                              const Vec<Dim>& point);

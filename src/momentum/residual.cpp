@@ -1,6 +1,7 @@
 #include "momentum/residual.hpp"
 
 #include "base/parallel.hpp"
+#include "momentum/bentWalls.hpp"
 #include "momentum/mass.hpp"
 #include "momentum/meniscus.hpp"
 #include "momentum/wallFriction.hpp"
@@ -29,6 +30,7 @@ template <int Dim>
 Points<Dim> externalForce(const Mesh<Dim>& mesh, const Topology<Dim>& topology, const FluidPhase<Dim>& fluid,
                           const Nodes<Dim>& nodes) {
     auto force = tractionForce<Dim>(mesh, fluid.problem.conditions, nodes.x);
+    addChordPressure<Dim>(topology, nodes, force);
     addMeniscus<Dim>(fluid.problem, mesh.fluid, topology, nodes, force);
     addWallFriction<Dim>(fluid.problem, mesh.fluid, topology, nodes, force);
     addSideFriction<Dim>(fluid.problem, mesh.fluid, fluid.domains, nodes.v, force);

@@ -193,8 +193,10 @@ private:
             if (landing.wall < 0) continue;
             const WallLine line = lineOf(landing.wall);
             const int own = nodes_.wall[i][0];
-            if (own < 0)
+            if (own < 0) {
                 land(line, landing.wall, landing.place, i);
+                nodes_.x[i] = placeOnRegion<2>(topology_.walls, nodes_.x, landing.wall, nodes_.x[i]).x;
+            }
             else if (!enterCorner(i, own, landing.wall) && line.distance(nodes_.x[i]) < 0)
                 nodes_.x[i] += (0.05 * nodes_.h[i] - line.distance(nodes_.x[i])) * line.inward;
         }

@@ -60,7 +60,10 @@ void separateFromWalls(const std::vector<bool>& isWall, State<Dim>& state) {
     const auto walls = wallFaces<Dim>(state.mesh.patches, isWall, state.nodes.x);
     for (std::size_t i = 0; i < wet.size(); ++i) {
         if (!wet[i] || solid[i]) continue;
-        state.nodes.wall[i] = supportsAt<Dim>(walls, state.nodes.x, state.nodes.x[i], 1e-6 * state.nodes.h[i]);
+        Vec<Dim>& x = state.nodes.x[i];
+        state.nodes.wall[i] = supportsAt<Dim>(walls, state.nodes.x, x, 1e-6 * state.nodes.h[i]);
+        if (nSupports(state.nodes.wall[i]) != 1) continue;
+        x = state.nodes.X[i] = placeOnRegion<Dim>(walls, state.nodes.x, state.nodes.wall[i][0], x).x;  // where it is bent
     }
 }
 
