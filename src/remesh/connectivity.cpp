@@ -9,6 +9,7 @@ namespace pfem {
 
 namespace {
 
+constexpr double lens = 0.05;          // of h^2: least area of a triangle between nodes of one bent wall
 constexpr double releasePlace = 0.25;  // between two places; the contact line has moved on at 0.5
 
 /// Height of the triangle over its face opposite to local node k.
@@ -128,12 +129,14 @@ private:
 
     bool isOnWall(int node) const { return isSupported(nodes_.wall[node]); }
 
-    /// Three nodes of one wall face are on one line up to round-off: what is between them is no fluid.
+    /// Three nodes of one wall are on one line, up to round-off and the bends of the wall: what is between them is no
+    /// fluid.
     bool isFlatOnWall(const Simplex<2>& s) const {
         const double h = meanSize(nodes_, s);
-        return isBound(s[0]) && isBound(s[1]) && isBound(s[2]) &&
-               std::any_of(s.begin(), s.end(), [&](int node) { return isOnWall(node); }) &&
-               simplexMeasure<2>(nodes_.x, s) < 1e-9 * h * h;
+        if (!(isBound(s[0]) && isBound(s[1]) && isBound(s[2]))) return false;
+        if (simplexMeasure<2>(nodes_.x, s) < 1e-9 * h * h)
+            return std::any_of(s.begin(), s.end(), [&](int node) { return isOnWall(node); });
+        return simplexMeasure<2>(nodes_.x, s) < lens * h * h && onOneWall({s[0], s[1]}) && onOneWall({s[1], s[2]}) && onOneWall({s[2], s[0]});
     }
 
     /// On the wrong side of a wall that one of its nodes slides along, where the wall is.
@@ -159,13 +162,16 @@ private:
 
     bool isBound(int node) const { return nodes_.onSolid[node] || isOnWall(node); }
 
-    /// Does the face lie on a solid, or on one wall?
-    bool isClosed(const Face<2>& face) const {
-        if (nodes_.onSolid[face[0]] && nodes_.onSolid[face[1]]) return true;
+    bool onOneWall(const Face<2>& face) const {
         for (const int wall : nodes_.wall[face[0]])
             for (const int other : nodes_.wall[face[1]])
                 if (wall >= 0 && other >= 0 && moved_.topology.joined(wall, other)) return true;
         return false;
+    }
+
+    /// Does the face lie on a solid, or on one wall?
+    bool isClosed(const Face<2>& face) const {
+        return (nodes_.onSolid[face[0]] && nodes_.onSolid[face[1]]) || onOneWall(face);
     }
 
     /// A face of the cell is open to the air.
