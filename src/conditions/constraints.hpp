@@ -21,9 +21,9 @@ struct Following {
 template <int Dim>
 struct NodeConstraints {
     std::vector<Freedom<Dim>> freedom;
-    std::vector<int> followed;               // per node: its Following, -1: what is held is at rest
+    std::vector<int> followed;  // per node: its Following, -1: what is held is at rest
     std::vector<Following<Dim>> following;
-    std::vector<RigidStep<Dim>> motion;      // over the step, of the patches
+    std::vector<RigidStep<Dim>> motion;  // over the step, of the patches
 
     /// The part of u that node i may perform.
     Vec<Dim> project(int i, const Vec<Dim>& u) const { return freedom[i].project(u); }

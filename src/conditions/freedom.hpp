@@ -9,7 +9,7 @@ namespace pfem {
 
 template <int Dim>
 struct Freedom {
-    int count = Dim;                            // of free directions
+    int count = Dim;                              // of free directions
     Tensor<Dim> basis = Tensor<Dim>::Identity();  // its first `count` columns: they, orthonormal; the others are held
 
     bool any() const { return count > 0; }

@@ -42,7 +42,7 @@ public:
     bool found(const std::string& name) const { return data_->GetAbstractArray(name.c_str()) != nullptr; }
     vtkDoubleArray* doubles(const std::string& name, int components) const;
     std::vector<Id> integers(const std::string& name, int components = 1) const;  // of all tuples in their order
-    std::vector<std::string> words(const std::string& name) const;  // of any length
+    std::vector<std::string> words(const std::string& name) const;                // of any length
 
     [[noreturn]] void fail(const std::string& reason) const;
 

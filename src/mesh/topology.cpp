@@ -42,9 +42,8 @@ void findTouching(const Mesh<Dim>& mesh, const Points<Dim>& x, Topology<Dim>& t)
             for (int w = 0; w < static_cast<int>(t.walls.size()); ++w) {
                 if (t.walls[w].patch < 0 || distanceToFace<Dim>(x, t.walls[w].nodes, x[node]) > near) continue;
                 const auto& own = t.supports[node];
-                const bool known = std::any_of(own.begin(), own.end(), [&](int f) {
-                    return f >= 0 && t.walls[f].region == t.walls[w].region;
-                });
+                const bool known = std::any_of(own.begin(), own.end(),
+                                               [&](int f) { return f >= 0 && t.walls[f].region == t.walls[w].region; });
                 if (!known) addSupport(t.supports[node], w);
             }
         }
@@ -118,10 +117,10 @@ Topology<Dim> withWalls(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kin
     return topology;
 }
 
-#define PFEM_INSTANTIATE(D)                                                                                         \
-    template Topology<D> makeTopology<D>(const Mesh<D>&, const std::vector<PatchKind>&, const Points<D>&,           \
-                                         const std::vector<Supports<D>>&);                                          \
-    template Topology<D> withWalls<D>(const Mesh<D>&, const std::vector<PatchKind>&, const Points<D>&,              \
+#define PFEM_INSTANTIATE(D)                                                                               \
+    template Topology<D> makeTopology<D>(const Mesh<D>&, const std::vector<PatchKind>&, const Points<D>&, \
+                                         const std::vector<Supports<D>>&);                                \
+    template Topology<D> withWalls<D>(const Mesh<D>&, const std::vector<PatchKind>&, const Points<D>&,    \
                                       const std::vector<Supports<D>>&, Topology<D>);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)

@@ -63,13 +63,13 @@ struct Topology {
     NodeToCells solid;  // solid cells around each node
     NodeToNodes ring;   // neighbours in the fluid
     std::vector<FluidFace<Dim>> faces;
-    std::vector<WallFace<Dim>> walls;                // faces of all patches in their order, as counted by Nodes::wall
-    std::vector<std::pair<int, int>> convex;         // regions of the walls that meet at a convex edge
-    std::vector<Supports<Dim>> supports;             // Nodes::wall; of solids' nodes: the walls that they touch
-    std::vector<unsigned char> onSolid;              // node of a solid body
-    std::vector<unsigned char> wallPoint;            // of a rigid wall: geometry, no node of the fluid
-    std::vector<unsigned char> onWall;               // of the fluid, held by a rigid wall
-    std::vector<unsigned char> freeSurface;          // node of a free-surface face
+    std::vector<WallFace<Dim>> walls;         // faces of all patches in their order, as counted by Nodes::wall
+    std::vector<std::pair<int, int>> convex;  // regions of the walls that meet at a convex edge
+    std::vector<Supports<Dim>> supports;      // Nodes::wall; of solids' nodes: the walls that they touch
+    std::vector<unsigned char> onSolid;       // node of a solid body
+    std::vector<unsigned char> wallPoint;     // of a rigid wall: geometry, no node of the fluid
+    std::vector<unsigned char> onWall;        // of the fluid, held by a rigid wall
+    std::vector<unsigned char> freeSurface;   // node of a free-surface face
 
     int nNodes() const { return static_cast<int>(onSolid.size()); }
     bool wet(int node) const { return fluid.count(node) > 0; }
@@ -100,9 +100,9 @@ int commonWall(const Topology<Dim>& topology, const std::array<int, N>& nodes) {
     return -1;
 }
 
-/// `kinds`: one per patch of the mesh; x, wall: of the nodes. A fluid face is an interface where a solid face coincides,
-/// a wall where all its nodes lie on joined walls whose normals it has, or on one symmetry patch, and free surface
-/// otherwise. Two free-surface nodes do not make a face.
+/// `kinds`: one per patch of the mesh; x, wall: of the nodes. A fluid face is an interface where a solid face
+/// coincides, a wall where all its nodes lie on joined walls whose normals it has, or on one symmetry patch, and free
+/// surface otherwise. Two free-surface nodes do not make a face.
 template <int Dim>
 Topology<Dim> makeTopology(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const Points<Dim>& x,
                            const std::vector<Supports<Dim>>& wall);

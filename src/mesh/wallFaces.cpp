@@ -154,9 +154,7 @@ struct Curve {
     Vec<2> at(double s) const {
         return a + s * s * (3 - 2 * s) * d + s * (1 - s) * (1 - s) * Ta - s * s * (1 - s) * Tb;
     }
-    Vec<2> slope(double s) const {
-        return 6 * s * (1 - s) * d + (1 - s) * (1 - 3 * s) * Ta + s * (3 * s - 2) * Tb;
-    }
+    Vec<2> slope(double s) const { return 6 * s * (1 - s) * d + (1 - s) * (1 - 3 * s) * Ta + s * (3 * s - 2) * Tb; }
 };
 
 /// The point of the curved face nearest to the one that is nearest on the straight face.
@@ -203,11 +201,11 @@ WallPlace<Dim> placeOnRegion(const std::vector<WallFace<Dim>>& walls, const Poin
     return place;
 }
 
-#define PFEM_INSTANTIATE(D)                                                                                      \
-    template Vec<D> inwardNormal<D>(const Points<D>&, const Face<D>&);                                           \
-    template std::vector<WallFace<D>> wallFaces<D>(const std::vector<Patch<D>>&, const std::vector<bool>&,       \
-                                                   const Points<D>&);                                            \
-    template std::vector<std::pair<int, int>> convexPairs<D>(const std::vector<WallFace<D>>&);                   \
+#define PFEM_INSTANTIATE(D)                                                                                \
+    template Vec<D> inwardNormal<D>(const Points<D>&, const Face<D>&);                                     \
+    template std::vector<WallFace<D>> wallFaces<D>(const std::vector<Patch<D>>&, const std::vector<bool>&, \
+                                                   const Points<D>&);                                      \
+    template std::vector<std::pair<int, int>> convexPairs<D>(const std::vector<WallFace<D>>&);             \
     template WallPlace<D> placeOnRegion<D>(const std::vector<WallFace<D>>&, const Points<D>&, int, const Vec<D>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)

@@ -24,10 +24,10 @@ inline constexpr double featureAngle = 20;
 /// A face of a patch; of a rigid wall it has a region.
 template <int Dim>
 struct WallFace {
-    Face<Dim> nodes;    // points of the wall, fluid on the left (2D)
-    int patch = -1;     // -1: the face is not of a wall
-    int region = -1;    // of the walls
-    Face<Dim> next{};   // the face beyond the edge opposite to node k, -1: none
+    Face<Dim> nodes;   // points of the wall, fluid on the left (2D)
+    int patch = -1;    // -1: the face is not of a wall
+    int region = -1;   // of the walls
+    Face<Dim> next{};  // the face beyond the edge opposite to node k, -1: none
     std::array<Bend, Dim> bend{};
     bool bent = false;                   // its region is, here
     std::array<Vec<Dim>, Dim> normal{};  // into the fluid at each node: the mean of the region's faces there
@@ -55,8 +55,8 @@ struct WallPlace {
     int beyond = -1;                     // the point lies beyond this edge of `face`, with which the region ends
 };
 
-/// Walks from `face` over its region to the face nearest to the point. A bent region is as smooth as it is meant: between
-/// its points it is a curve of third order with the normals there (2D).
+/// Walks from `face` over its region to the face nearest to the point. A bent region is as smooth as it is meant:
+/// between its points it is a curve of third order with the normals there (2D).
 template <int Dim>
 WallPlace<Dim> placeOnRegion(const std::vector<WallFace<Dim>>& walls, const Points<Dim>& x, int face,
                              const Vec<Dim>& point);

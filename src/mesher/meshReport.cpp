@@ -37,14 +37,8 @@ TriangleQuality triangleQuality(const Nodes<2>& nodes, const Cells<2>& cells, in
 }
 
 std::vector<int> wallTriangles(const State<2>& state) {
-    // Clamped and free edges of solids are patches too, but solid nodes move or carry stress: only faces
-    // without a solid cell beside them are rigid walls.
-    std::vector<bool> wall(state.nodes.size(), false), solid(state.nodes.size(), false);
-    for (const auto& t : state.mesh.solid.nodes)
-        for (const int i : t) solid[i] = true;
-    for (const auto& patch : state.mesh.patches)
-        for (const auto& [a, b] : patch.faces)
-            if (!(solid[a] && solid[b])) wall[a] = wall[b] = true;
+    std::vector<bool> wall(state.nodes.size(), false);
+    for (int i = 0; i < state.nodes.size(); ++i) wall[i] = isSupported(state.nodes.wall[i]);
     std::vector<int> found;
     for (int c = 0; c < state.mesh.fluid.size(); ++c) {
         const auto& t = state.mesh.fluid.nodes[c];
@@ -89,13 +83,6 @@ std::string meshReport(const MeshDescription& description, const MeshResult& res
         text += fmt::format("patch {:<16s} {:>7d} faces {:>12.6g} m\n", patch.name, patch.faces.size(), length);
         if (patch.faces.empty()) warnings += fmt::format("--> PFEM Warning: patch '{}' has no face\n", patch.name);
     }
-    for (const auto& wall : description.walls)
-        if (!wall.arcs.empty())
-            warnings += fmt::format(
-                "--> PFEM Warning: wall '{}' has arcs: fluid slides along straight walls only and sticks to the "
-                "corners "
-                "of a curved one, also with slip\n",
-                wall.name);
     const auto stuck = wallTriangles(state);
     if (!stuck.empty()) {
         const auto& x = state.nodes.x[state.mesh.fluid.nodes[stuck.front()][0]];

@@ -35,8 +35,7 @@ void addChordPressure(const Topology<Dim>& topology, const Nodes<Dim>& nodes, Po
         if (!isChord<Dim>(topology, face)) continue;
         const Vec<Dim> area = faceArea<Dim>(nodes.x, face.nodes);
         for (int J = 0; J < Dim; ++J)
-            for (int I = 0; I < Dim; ++I)
-                force[face.nodes[J]] -= weight<Dim>(I, J) * nodes.p[face.nodes[I]] * area;
+            for (int I = 0; I < Dim; ++I) force[face.nodes[J]] -= weight<Dim>(I, J) * nodes.p[face.nodes[I]] * area;
     }
 }
 
@@ -53,8 +52,8 @@ void subtractChordFlux(const Topology<Dim>& topology, const NodeConstraints<Dim>
     }
 }
 
-#define PFEM_INSTANTIATE(D)                                                                           \
-    template void addChordPressure<D>(const Topology<D>&, const Nodes<D>&, Points<D>&);               \
+#define PFEM_INSTANTIATE(D)                                                                            \
+    template void addChordPressure<D>(const Topology<D>&, const Nodes<D>&, Points<D>&);                \
     template void subtractChordFlux<D>(const Topology<D>&, const NodeConstraints<D>&, const Nodes<D>&, \
                                        std::vector<double>&);
 PFEM_INSTANTIATE(2)

@@ -14,8 +14,8 @@ std::vector<double> nodalMass(const FluidPhase<Dim>& fluid, const SolidPhase<Dim
 template <int Dim>
 Points<Dim> tractionForce(const Mesh<Dim>& mesh, const BoundaryConditions<Dim>& conditions, const Points<Dim>& x);
 
-/// What the surroundings do to the nodes: tractions, bent walls, menisci, friction at walls and at the panes of a plane flow
-/// [N/m (2D), N].
+/// What the surroundings do to the nodes: tractions, bent walls, menisci, friction at walls and at the panes of a plane
+/// flow [N/m (2D), N].
 template <int Dim>
 Points<Dim> externalForce(const Mesh<Dim>& mesh, const Topology<Dim>& topology, const FluidPhase<Dim>& fluid,
                           const Nodes<Dim>& nodes);

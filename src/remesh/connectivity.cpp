@@ -95,8 +95,7 @@ public:
 private:
     void judge(int e) {
         const auto& s = t_.cells[e];
-        const bool allHeld =
-            nodes_.onSolid[s[0]] && nodes_.onSolid[s[1]] && nodes_.onSolid[s[2]];
+        const bool allHeld = nodes_.onSolid[s[0]] && nodes_.onSolid[s[1]] && nodes_.onSolid[s[2]];
         if (isFlatOnWall(s) || (allHeld && isSliver(s))) return;
         const Vec<2> centre = simplexCentroid<2>(nodes_.x, s);
         inside_[e] = wasFluid(s, centre);
@@ -136,7 +135,8 @@ private:
         if (!(isBound(s[0]) && isBound(s[1]) && isBound(s[2]))) return false;
         if (simplexMeasure<2>(nodes_.x, s) < 1e-9 * h * h)
             return std::any_of(s.begin(), s.end(), [&](int node) { return isOnWall(node); });
-        return simplexMeasure<2>(nodes_.x, s) < lens * h * h && onOneWall({s[0], s[1]}) && onOneWall({s[1], s[2]}) && onOneWall({s[2], s[0]});
+        return simplexMeasure<2>(nodes_.x, s) < lens * h * h && onOneWall({s[0], s[1]}) && onOneWall({s[1], s[2]}) &&
+               onOneWall({s[2], s[0]});
     }
 
     /// On the wrong side of a wall that one of its nodes slides along, where the wall is.
@@ -195,16 +195,15 @@ private:
     bool isTrapped(int e) const {
         const auto& s = t_.cells[e];
         const auto& n = t_.neighbours[e];
-        return nodes_.onSolid[s[0]] && nodes_.onSolid[s[1]] && nodes_.onSolid[s[2]] &&
-               !isFluid(n[0]) && !isFluid(n[1]) && !isFluid(n[2]);
+        return nodes_.onSolid[s[0]] && nodes_.onSolid[s[1]] && nodes_.onSolid[s[2]] && !isFluid(n[0]) &&
+               !isFluid(n[1]) && !isFluid(n[2]);
     }
 
     /// A node hangs on this triangle alone, and the triangle is flat or about to collapse: such a node has hardly any
     /// mass and pressure cannot hold it.
     bool isCarriedByOne(int e) const {
         const auto& s = t_.cells[e];
-        if (std::none_of(s.begin(), s.end(),
-                         [&](int node) { return cells_[node] == 1 && !nodes_.onSolid[node]; }))
+        if (std::none_of(s.begin(), s.end(), [&](int node) { return cells_[node] == 1 && !nodes_.onSolid[node]; }))
             return false;
         const double h = meanSize(nodes_, s);
         return simplexMeasure<2>(nodes_.x, s) < controls_.hangingArea * h * h ||

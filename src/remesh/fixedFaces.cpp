@@ -42,7 +42,8 @@ std::vector<OnWall> nodesOnWalls(const State<2>& state, const Topology<2>& topol
         for (const int w : supports) {
             if (w < 0) continue;
             const Vec<2> start = x[faces[w][0]];
-            found.push_back({topology.walls[w].region, order[w], w, (x[node] - start).dot(x[faces[w][1]] - start), node});
+            found.push_back(
+                {topology.walls[w].region, order[w], w, (x[node] - start).dot(x[faces[w][1]] - start), node});
         }
     };
     for (int i = 0; i < state.nodes.size(); ++i) add(i, state.nodes.wall[i]);
@@ -56,8 +57,8 @@ std::vector<OnWall> nodesOnWalls(const State<2>& state, const Topology<2>& topol
 
 }  // namespace
 
-std::vector<Face<2>> fixedFaces(const State<2>& state, const std::vector<PatchKind>& kinds,
-                                const Topology<2>& topology, const std::vector<int>& newIndex) {
+std::vector<Face<2>> fixedFaces(const State<2>& state, const std::vector<PatchKind>& kinds, const Topology<2>& topology,
+                                const std::vector<int>& newIndex) {
     std::vector<Face<2>> fixed;
     const auto& [x, h] = std::tie(state.nodes.x, state.nodes.h);
     const auto aroundSolid = nodeToCells<2>(state.mesh.solid.nodes, state.nodes.size());

@@ -53,7 +53,8 @@ private:
         for (int i = 0; i < n; ++i) {
             if (!t.onWall[i] || kept_[i]) continue;
             for (const int corner : corners)
-                if (isNear(i, corner) && (t.onSolid[corner] || nSupports(t.supports[corner]) > nSupports(t.supports[i])) &&
+                if (isNear(i, corner) &&
+                    (t.onSolid[corner] || nSupports(t.supports[corner]) > nSupports(t.supports[i])) &&
                     t.supportOn(corner, t.supports[i][0]) >= 0)
                     remove(i);
         }

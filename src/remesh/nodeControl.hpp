@@ -19,8 +19,8 @@ struct NodePlan {
 /// Inner fluid nodes nearer than removeDistance h to a neighbour go (free-surface and wall nodes:
 /// removeDistanceSurface, only when the neighbour is of the boundary, too; across a film: removeDistanceFilm); edges
 /// longer than insertDistance h are halved. A node that slides into a corner of the walls where another one is held
-/// goes, and an inner one lower than removeHeight h over a face of the free surface. At most one change per patch. Nodes
-/// in corners of walls, of solids and of patches stay.
+/// goes, and an inner one lower than removeHeight h over a face of the free surface. At most one change per patch.
+/// Nodes in corners of walls, of solids and of patches stay.
 template <int Dim>
 NodePlan<Dim> planNodes(const RemeshingControls& controls, const MovedMesh<Dim>& moved, const std::vector<double>& h,
                         const std::vector<unsigned char>& kept);

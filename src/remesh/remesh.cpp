@@ -25,10 +25,13 @@ Supports<Dim> supportsOf(const Topology<Dim>& topology, std::array<int, 2> edge)
     Supports<Dim> supports = unsupported<Dim>();
     for (const auto& face : topology.faces) {
         if (face.kind != FaceKind::wall) continue;
-        const auto has = [&](int node) { return std::find(face.nodes.begin(), face.nodes.end(), node) != face.nodes.end(); };
+        const auto has = [&](int node) {
+            return std::find(face.nodes.begin(), face.nodes.end(), node) != face.nodes.end();
+        };
         if (!has(edge[0]) || !has(edge[1])) continue;
         const int wall = commonWall(topology, face.nodes);
-        if (wall >= 0 && std::find(supports.begin(), supports.end(), wall) == supports.end()) addSupport(supports, wall);
+        if (wall >= 0 && std::find(supports.begin(), supports.end(), wall) == supports.end())
+            addSupport(supports, wall);
     }
     return supports;
 }
@@ -174,7 +177,8 @@ RemeshReport<Dim> remesh(RemeshTask<Dim> task, Triangulator& triangulator, State
     parallelInvoke(
         state.nodes.size(),
         [&] {
-            triangulator.follow(state.nodes.x, state.nodes.id, activeNodes(state, kinds), fixedFaces(state, kinds, moved.topology, newIndex),
+            triangulator.follow(state.nodes.x, state.nodes.id, activeNodes(state, kinds),
+                                fixedFaces(state, kinds, moved.topology, newIndex),
                                 surfaceFaces<Dim>(controls, plan, newIndex));
         },
         [&] {

@@ -44,8 +44,9 @@ RemeshReport<Dim> remesh(RemeshTask<Dim> task, Triangulator& triangulator, State
 template <int Dim>
 RemeshReport<Dim> remesh(const RemeshingControls& controls, const std::vector<PatchKind>& kinds, State<Dim>& state) {
     Triangulator triangulator;
-    return remesh<Dim>({controls, kinds, makeTopology<Dim>(state.mesh, kinds, state.nodes.x, state.nodes.wall), state.time.deltaT},
-                       triangulator, state);
+    return remesh<Dim>(
+        {controls, kinds, makeTopology<Dim>(state.mesh, kinds, state.nodes.x, state.nodes.wall), state.time.deltaT},
+        triangulator, state);
 }
 
 }  // namespace pfem

@@ -78,8 +78,8 @@ void reconnect(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutco
     if (sameWalls && outcome.returned == 0 &&
         !isDistorted(c.controls.distortion, state.nodes.x, state.mesh.fluid.nodes))
         return;
-    auto topology =
-        sameWalls ? c.motion.topology : withWalls<Dim>(state.mesh, kinds, state.nodes.x, state.nodes.wall, c.motion.topology);
+    auto topology = sameWalls ? c.motion.topology
+                              : withWalls<Dim>(state.mesh, kinds, state.nodes.x, state.nodes.wall, c.motion.topology);
     outcome.connectivity =
         remesh<Dim>({c.controls, kinds, std::move(topology), c.motion.dt, outcome.leaving}, c.triangulator, state);
 }

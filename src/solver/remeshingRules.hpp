@@ -15,12 +15,12 @@ namespace pfem {
 /// What a step has done to the nodes, with the connectivity that it had.
 template <int Dim>
 struct Motion {
-    double dt = 0;                   // [s]
-    Topology<Dim> topology;          // of the step's cells
-    Points<Dim> xOld;                // where the nodes were
-    std::vector<Supports<Dim>> wallsOld;       // as Nodes::wall at the start
-    std::vector<double> returned;    // volume that the continuity equation was asked to give to each node
-    std::vector<double> compressed;  // volume that pressure has taken at each node, negative
+    double dt = 0;                        // [s]
+    Topology<Dim> topology;               // of the step's cells
+    Points<Dim> xOld;                     // where the nodes were
+    std::vector<Supports<Dim>> wallsOld;  // as Nodes::wall at the start
+    std::vector<double> returned;         // volume that the continuity equation was asked to give to each node
+    std::vector<double> compressed;       // volume that pressure has taken at each node, negative
 };
 
 /// What a rule may look at, besides the state.

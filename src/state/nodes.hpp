@@ -16,17 +16,17 @@ namespace pfem {
 template <int Dim>
 struct Nodes {
     std::vector<Id> id;
-    Points<Dim> x;                   // position [m]
-    Points<Dim> v;                   // velocity [m/s]
-    Points<Dim> a;                   // acceleration [m/s2]
-    std::vector<double> p;           // fluid pressure, positive in compression [Pa]
-    Points<Dim> X;                   // reference position; D = x - X [m]
-    std::vector<Stress<Dim>> sigma;  // Cauchy stress of the solid patch [Pa] (elemental: mean of cells), else zero
-    std::vector<double> h;           // wanted distance to the neighbours [m]
-    std::vector<double> dropVolume;  // volume carried by an isolated particle [m2 (2D), m3]
-    std::vector<double> lostVolume;  // what the fluid around the node has lost and not got back; < 0: gained
+    Points<Dim> x;                    // position [m]
+    Points<Dim> v;                    // velocity [m/s]
+    Points<Dim> a;                    // acceleration [m/s2]
+    std::vector<double> p;            // fluid pressure, positive in compression [Pa]
+    Points<Dim> X;                    // reference position; D = x - X [m]
+    std::vector<Stress<Dim>> sigma;   // Cauchy stress of the solid patch [Pa] (elemental: mean of cells), else zero
+    std::vector<double> h;            // wanted distance to the neighbours [m]
+    std::vector<double> dropVolume;   // volume carried by an isolated particle [m2 (2D), m3]
+    std::vector<double> lostVolume;   // what the fluid around the node has lost and not got back; < 0: gained
     std::vector<Supports<Dim>> wall;  // the wall faces that hold the node (counted over all patches)
-    History history;                 // of the solids' laws (elemental: mean of cells); nothing when none has any
+    History history;                  // of the solids' laws (elemental: mean of cells); nothing when none has any
 
     /// What a node that is made between two others gets: their mean, or the field's first value.
     enum class Between { mean, first };

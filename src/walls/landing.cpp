@@ -181,8 +181,7 @@ private:
             const bool drop = topology_.isolated(i);
             for (const auto& [w, lines] : walls) {
                 if (own >= 0 && topology_.joined(own, w)) continue;
-                Landing landing =
-                    landingOn(lines, xOld_[i], nodes_.x[i], nodes_.h[i], controls_.landingDistance, drop);
+                Landing landing = landingOn(lines, xOld_[i], nodes_.x[i], nodes_.h[i], controls_.landingDistance, drop);
                 if (landing.part >= landings[i].part) continue;
                 landing.wall = w;
                 landings[i] = landing;
@@ -196,8 +195,7 @@ private:
             if (own < 0) {
                 land(line, landing.wall, landing.place, i);
                 nodes_.x[i] = placeOnRegion<2>(topology_.walls, nodes_.x, landing.wall, nodes_.x[i]).x;
-            }
-            else if (!enterCorner(i, own, landing.wall) && line.distance(nodes_.x[i]) < 0)
+            } else if (!enterCorner(i, own, landing.wall) && line.distance(nodes_.x[i]) < 0)
                 nodes_.x[i] += (0.05 * nodes_.h[i] - line.distance(nodes_.x[i])) * line.inward;
         }
     }

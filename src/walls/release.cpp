@@ -28,8 +28,8 @@ struct Grip {
 /// A drop leaves walls from which gravity pulls it; what the walls' acceleration is, is the normal part of a.
 void letDropFall(const Topology<2>& topology, const Vec<2>& gravity, int i, Nodes<2>& nodes) {
     for (const int wall : Supports<2>(nodes.wall[i]))
-        if (wall >= 0 && (gravity - nodes.a[i]).dot(inwardNormal<2>(nodes.x, topology.walls[wall].nodes)) >
-                             1e-9 * gravity.norm())
+        if (wall >= 0 &&
+            (gravity - nodes.a[i]).dot(inwardNormal<2>(nodes.x, topology.walls[wall].nodes)) > 1e-9 * gravity.norm())
             dropSupport(nodes.wall[i], wall);
 }
 

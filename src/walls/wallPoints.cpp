@@ -40,9 +40,8 @@ Supports<Dim> supportsAt(const std::vector<WallFace<Dim>>& walls, const Points<D
     Supports<Dim> supports = unsupported<Dim>();
     for (int w = 0; w < static_cast<int>(walls.size()); ++w) {
         if (walls[w].patch < 0 || distanceToFace<Dim>(points, walls[w].nodes, x) > near) continue;
-        const bool known = std::any_of(supports.begin(), supports.end(), [&](int face) {
-            return face >= 0 && walls[face].region == walls[w].region;
-        });
+        const bool known = std::any_of(supports.begin(), supports.end(),
+                                       [&](int face) { return face >= 0 && walls[face].region == walls[w].region; });
         if (!known) addSupport(supports, w);
     }
     return supports;
@@ -63,7 +62,8 @@ void separateFromWalls(const std::vector<bool>& isWall, State<Dim>& state) {
         Vec<Dim>& x = state.nodes.x[i];
         state.nodes.wall[i] = supportsAt<Dim>(walls, state.nodes.x, x, 1e-6 * state.nodes.h[i]);
         if (nSupports(state.nodes.wall[i]) != 1) continue;
-        x = state.nodes.X[i] = placeOnRegion<Dim>(walls, state.nodes.x, state.nodes.wall[i][0], x).x;  // where it is bent
+        x = state.nodes.X[i] =
+            placeOnRegion<Dim>(walls, state.nodes.x, state.nodes.wall[i][0], x).x;  // where it is bent
     }
 }
 

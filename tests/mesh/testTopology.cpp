@@ -28,7 +28,8 @@ Mesh<2> layers() {
     return mesh;
 }
 
-const Points<2> places = {{0, 0}, {1, 0}, {2, 0}, {0, 1}, {1, 1}, {2, 1}, {0, 2}, {1, 2}, {2, 2}, {5, 5}, {2, 1}, {2, 2}, {2, 3}};
+const Points<2> places = {{0, 0}, {1, 0}, {2, 0}, {0, 1}, {1, 1}, {2, 1}, {0, 2},
+                          {1, 2}, {2, 2}, {5, 5}, {2, 1}, {2, 2}, {2, 3}};
 
 /// Nodes without walls, but for these.
 std::vector<Supports<2>> supports(int n, const std::map<int, Supports<2>>& of = {}) {
@@ -146,15 +147,14 @@ TEST(Topology, facesOnBentWalls) {
     mesh.fluid.material = {0};
     mesh.patches = {{"step", {{0, 1}, {1, 2}}}};
     const Points<2> x = {{0, 1}, {1, 1}, {1, 0}, {0.9, 1}, {1, 0.8}, {1.2, 1.1}};
-    const auto step = facesOf(
-        makeTopology<2>(mesh, {PatchKind::wall}, x, supports(6, {{3, {0, -1}}, {4, {1, -1}}})));
+    const auto step = facesOf(makeTopology<2>(mesh, {PatchKind::wall}, x, supports(6, {{3, {0, -1}}, {4, {1, -1}}})));
     EXPECT_EQ(step.at({3, 4}), FaceKind::wall);
     EXPECT_EQ(step.at({4, 5}), FaceKind::freeSurface);
 
     mesh.fluid.nodes = {{3, 4, 5}};  // a trough with bends of 19 degrees
     const Points<2> trough = {{-1, 0.16}, {0, 0}, {1, 0.16}, {-0.5, 0.08}, {0, 0}, {0.5, 0.08}};
-    const auto puddle = makeTopology<2>(mesh, {PatchKind::wall}, trough,
-                                        supports(6, {{3, {0, -1}}, {4, {0, -1}}, {5, {1, -1}}}));
+    const auto puddle =
+        makeTopology<2>(mesh, {PatchKind::wall}, trough, supports(6, {{3, {0, -1}}, {4, {0, -1}}, {5, {1, -1}}}));
     EXPECT_EQ(puddle.walls[0].region, puddle.walls[1].region);
     EXPECT_EQ(facesOf(puddle).at({3, 4}), FaceKind::wall);
     EXPECT_EQ(facesOf(puddle).at({4, 5}), FaceKind::wall);
@@ -210,7 +210,8 @@ TEST(Topology, threeDimensions) {
     mesh.fluid.material = {0};
     mesh.solid.nodes = {{0, 2, 1, 4}};
     mesh.solid.material = {1};
-    const auto t = makeTopology<3>(mesh, {}, Points<3>(5, Vec<3>::Zero()), std::vector<Supports<3>>(5, unsupported<3>()));
+    const auto t =
+        makeTopology<3>(mesh, {}, Points<3>(5, Vec<3>::Zero()), std::vector<Supports<3>>(5, unsupported<3>()));
     int interface = 0, surface = 0;
     for (const auto& face : t.faces) {
         interface += face.kind == FaceKind::interface;

@@ -69,8 +69,7 @@ TEST(Meniscus, isAForceWithin) {
     EXPECT_LT(sum.norm(), 1e-12);
     double width = 0;
     for (const auto& face : topology.faces)
-        if (face.kind == FaceKind::freeSurface &&
-            topology.onSolid[face.nodes[0]] != topology.onSolid[face.nodes[1]])
+        if (face.kind == FaceKind::freeSurface && topology.onSolid[face.nodes[0]] != topology.onSolid[face.nodes[1]])
             width = std::abs(c.state.nodes.x[face.nodes[0]][0] - c.state.nodes.x[face.nodes[1]][0]);
     EXPECT_NEAR(lifted, rho * g * 0.03 * width / 6, 1e-9 * rho * g);
 

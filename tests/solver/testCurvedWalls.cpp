@@ -109,10 +109,11 @@ TEST(CurvedWalls, bendsDoNotHold) {
 
 // A submerged step: the water in its convex corner rests; when it flows, it goes round.
 TEST(CurvedWalls, waterFlowsRoundAConvexCorner) {
-    TestCase c = makeCase("meshSize 0.05; bodies ( water { type fluid; material water; vertices ((0 0) (0.5 0) (0.5 0.2) "
-                          "(1 0.2) (1 0.5) (0 0.5)); } ); walls ( tank { points ((0 1) (0 0) (0.5 0) (0.5 0.2) (1 0.2) (1 "
-                          "1)); } );",
-                          water, "tank { type slip; }");
+    TestCase c = makeCase(
+        "meshSize 0.05; bodies ( water { type fluid; material water; vertices ((0 0) (0.5 0) (0.5 0.2) "
+        "(1 0.2) (1 0.5) (0 0.5)); } ); walls ( tank { points ((0 1) (0 0) (0.5 0) (0.5 0.2) (1 0.2) (1 "
+        "1)); } );",
+        water, "tank { type slip; }");
     c.start(2e-3);
     for (int n = 0; n < 50; ++n) c.step(2e-3);
     EXPECT_LT(largest(c.state.nodes.v), 1e-8);

@@ -152,9 +152,9 @@ TEST(Impact, wallsHold) {
             if (std::none_of(s.begin(), s.end(), isCorner) || !contacts.empty()) continue;
             contacts.push_back(s);
             for (int i : s) {
-                nodes.v[i] = kind == "slip"       ? constraints.project(i, -nodes.x[i])
+                nodes.v[i] = kind == "slip"               ? constraints.project(i, -nodes.x[i])
                              : isSupported(nodes.wall[i]) ? Vec<2>(0, 0)
-                                                  : Vec<2>(-nodes.x[i]);
+                                                          : Vec<2>(-nodes.x[i]);
                 slides += nSupports(nodes.wall[i]) == 1;
             }
         }

@@ -27,8 +27,8 @@ protected:
     /// What is said about `next_`; "" when it passes.
     std::string complaint() const {
         try {
-            checkInvariants<2>(c_.controls.convergence, makeTopology<2>(last_.mesh, c_.kinds(), last_.nodes.x, last_.nodes.wall),
-                               last_, next_);
+            checkInvariants<2>(c_.controls.convergence,
+                               makeTopology<2>(last_.mesh, c_.kinds(), last_.nodes.x, last_.nodes.wall), last_, next_);
         } catch (const StepFailure& failure) {
             return failure.what();
         }
