@@ -21,7 +21,10 @@ std::vector<double> compressedVolume(const Problem<Dim>& problem, const Cells<Di
     return change;
 }
 
-template std::vector<double> compressedVolume<2>(const Problem<2>&, const Cells<2>&, const NodeToCells&,
-                                                 const Nodes<2>&, const std::vector<double>&);
+#define PFEM_INSTANTIATE(D)                                                                                  \
+    template std::vector<double> compressedVolume<D>(const Problem<D>&, const Cells<D>&, const NodeToCells&, \
+                                                     const Nodes<D>&, const std::vector<double>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -286,6 +286,8 @@ std::vector<double> ContinuitySystem<Dim>::solve(const std::vector<double>& resi
     return dp;
 }
 
-template class ContinuitySystem<2>;
+#define PFEM_INSTANTIATE(D) template class ContinuitySystem<D>;
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

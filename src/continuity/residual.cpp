@@ -145,7 +145,10 @@ std::vector<double> continuityResidual(const Step<Dim>& step, const ContinuityCo
     return R;
 }
 
-template std::vector<double> continuityResidual<2>(const Step<2>&, const ContinuityControls&, const FluidPhase<2>&,
-                                                   const Stabilisation&, const Trial<2>&);
+#define PFEM_INSTANTIATE(D)                                                                       \
+    template std::vector<double> continuityResidual<D>(const Step<D>&, const ContinuityControls&, \
+                                                       const FluidPhase<D>&, const Stabilisation&, const Trial<D>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

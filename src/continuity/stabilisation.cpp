@@ -72,10 +72,13 @@ std::vector<unsigned char> projectedCells(const ContinuityControls& controls, co
     return projected;
 }
 
-template std::vector<unsigned char> projectedCells<2>(const ContinuityControls&, const Problem<2>&, const Cells<2>&,
-                                                      const Topology<2>&, const Nodes<2>&);
-template double surfaceStabilisation<2>(double, double, double, double);
-template std::vector<double> stabilisation<2>(const Problem<2>&, const Cells<2>&, const SmoothingDomains<2>&,
-                                              const std::vector<double>&, const Points<2>&, double);
+#define PFEM_INSTANTIATE(D)                                                                                       \
+    template std::vector<unsigned char> projectedCells<D>(const ContinuityControls&, const Problem<D>&,           \
+                                                          const Cells<D>&, const Topology<D>&, const Nodes<D>&);  \
+    template double surfaceStabilisation<D>(double, double, double, double);                                      \
+    template std::vector<double> stabilisation<D>(const Problem<D>&, const Cells<D>&, const SmoothingDomains<D>&, \
+                                                  const std::vector<double>&, const Points<D>&, double);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -16,7 +16,10 @@ void addViscousPressure(const SmoothingDomains<Dim>& fluid, const std::vector<do
     }
 }
 
-template void addViscousPressure<2>(const SmoothingDomains<2>&, const std::vector<double>&, const std::vector<double>&,
-                                    const std::vector<double>&, std::vector<double>&);
+#define PFEM_INSTANTIATE(D)                                                                     \
+    template void addViscousPressure<D>(const SmoothingDomains<D>&, const std::vector<double>&, \
+                                        const std::vector<double>&, const std::vector<double>&, std::vector<double>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

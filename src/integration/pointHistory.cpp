@@ -48,7 +48,10 @@ void storeHistory(const SmoothingDomains<Dim>& domains, History point, History& 
     }
 }
 
-template History storedHistory<2>(const SmoothingDomains<2>&, const History&, const History&);
-template void storeHistory<2>(const SmoothingDomains<2>&, History, History&, History&);
+#define PFEM_INSTANTIATE(D)                                                                        \
+    template History storedHistory<D>(const SmoothingDomains<D>&, const History&, const History&); \
+    template void storeHistory<D>(const SmoothingDomains<D>&, History, History&, History&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

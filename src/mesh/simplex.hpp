@@ -84,8 +84,10 @@ Vec<Dim> simplexCentroid(const Points<Dim>& x, const Simplex<Dim>& s) {
     return c / (Dim + 1);
 }
 
-/// Circumradius (2D): R = abc / (4 |A|); infinite for a flat triangle.
-double circumradius(const Points<2>& x, const Simplex<2>& s);
+/// Circumradius; infinite for a flat simplex. 2D: R = abc / (4 |A|); 3D: R = |a^2 (b x c) + b^2 (c x a) + c^2 (a x b)| /
+/// (12 |V|) with the edges a, b, c from one node.
+template <int Dim>
+double circumradius(const Points<Dim>& x, const Simplex<Dim>& s);
 
 /// The face opposite to local node k, oriented with the simplex on its left (2D) / outward normal by the
 /// right-hand rule (3D).

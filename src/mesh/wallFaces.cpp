@@ -157,7 +157,16 @@ struct Curve {
     Vec<2> slope(double s) const { return 6 * s * (1 - s) * d + (1 - s) * (1 - 3 * s) * Ta + s * (3 * s - 2) * Tb; }
 };
 
-/// The point of the curved face nearest to the one that is nearest on the straight face.
+/// Weights of a face's nodes at a point of it (3D), none below zero.
+Vec<3> weightsOn(const Points<3>& x, const Face<3>& face, const Vec<3>& point) {
+    const Vec<3> a = x[face[0]], b = x[face[1]] - a, c = x[face[2]] - a, n = b.cross(c), p = point - a;
+    const double s = p.cross(c).dot(n) / n.squaredNorm(), t = b.cross(p).dot(n) / n.squaredNorm();
+    const Vec<3> w = Vec<3>(1 - s - t, s, t).cwiseMax(0.0);
+    return w / w.sum();
+}
+
+/// The point of the curved face nearest to the one that is nearest on the straight face. 3D: x = sum w_i (f - n_i n_i .
+/// (f - x_i)/2) over the foot f = sum w_i x_i, the parabola between two nodes.
 template <int Dim>
 void bend(const WallFace<Dim>& face, const Points<Dim>& x, const Vec<Dim>& point, WallPlace<Dim>& place) {
     place.normal = inwardNormal<Dim>(x, face.nodes);
@@ -172,6 +181,23 @@ void bend(const WallFace<Dim>& face, const Points<Dim>& x, const Vec<Dim>& point
         place.x = curve.at(s);
         const Vec<2> t = curve.slope(s).normalized();
         place.normal = {-t[1], t[0]};
+    } else if (face.bent) {
+        const Vec<3> flat = place.x;
+        Vec<3> q = flat;
+        for (int k = 0; k < 5; ++k) {  // the place over whose foot the point is
+            const Vec<3> w = weightsOn(x, face.nodes, q);
+            Vec<3> foot = Vec<3>::Zero(), off = Vec<3>::Zero();
+            place.normal.setZero();
+            for (int i = 0; i < 3; ++i) foot += w[i] * x[face.nodes[i]];
+            for (int i = 0; i < 3; ++i) {
+                off -= 0.5 * w[i] * face.normal[i] * face.normal[i].dot(foot - x[face.nodes[i]]);
+                place.normal += w[i] * face.normal[i];
+            }
+            place.normal.normalize();
+            place.x = foot + off;
+            const Vec<3> n = inwardNormal<3>(x, face.nodes);
+            q = flat - (off - n * n.dot(off));
+        }
     }
 }
 

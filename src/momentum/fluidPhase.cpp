@@ -25,6 +25,8 @@ std::vector<double> FluidPhase<Dim>::tangent() const {
     return newtonian ? mu : fromPoints<Dim>(domains, tangentViscosity<Dim>(viscosity));
 }
 
-template struct FluidPhase<2>;
+#define PFEM_INSTANTIATE(D) template struct FluidPhase<D>;
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

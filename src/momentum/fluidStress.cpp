@@ -106,14 +106,17 @@ Points<Dim> zigzagForce(const Problem<Dim>& problem, const Cells<Dim>& cells, co
     return force;
 }
 
-template Points<2> zigzagForce<2>(const Problem<2>&, const Cells<2>&, const SmoothingDomains<2>&, double,
-                                  const std::vector<double>&, const Points<2>&);
-template bool isNewtonian<2>(const Problem<2>&);
-template std::vector<double> tangentViscosity<2>(const FlowViscosity<2>&);
-template FlowViscosity<2> flowViscosity<2>(const Problem<2>&, const Cells<2>&, const SmoothingDomains<2>&,
-                                           const Points<2>&, const std::vector<double>&);
-template Points<2> viscousForce<2>(const SmoothingDomains<2>&, const std::vector<double>&, const Points<2>&);
-template std::vector<Tensor<2>> fluidTangentStress<2>(const SmoothingDomains<2>&, const FlowViscosity<2>&,
-                                                      const Points<2>&, const std::vector<double>&);
+#define PFEM_INSTANTIATE(D)                                                                                       \
+    template Points<D> zigzagForce<D>(const Problem<D>&, const Cells<D>&, const SmoothingDomains<D>&, double,     \
+                                      const std::vector<double>&, const Points<D>&);                              \
+    template bool isNewtonian<D>(const Problem<D>&);                                                              \
+    template std::vector<double> tangentViscosity<D>(const FlowViscosity<D>&);                                    \
+    template FlowViscosity<D> flowViscosity<D>(const Problem<D>&, const Cells<D>&, const SmoothingDomains<D>&,    \
+                                               const Points<D>&, const std::vector<double>&);                     \
+    template Points<D> viscousForce<D>(const SmoothingDomains<D>&, const std::vector<double>&, const Points<D>&); \
+    template std::vector<Tensor<D>> fluidTangentStress<D>(const SmoothingDomains<D>&, const FlowViscosity<D>&,    \
+                                                          const Points<D>&, const std::vector<double>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -53,8 +53,11 @@ std::vector<double> solidMass(const Problem<Dim>& problem, const Cells<Dim>& cel
     return nodalShares<Dim>(cells, X, [&](int material) { return problem.solid(material).rho; });
 }
 
-template std::vector<double> fluidMass<2>(const Problem<2>&, const Cells<2>&, const Points<2>&);
-template std::vector<double> fluidMass<2>(const Problem<2>&, const Cells<2>&, const SmoothingDomains<2>&);
-template std::vector<double> solidMass<2>(const Problem<2>&, const Cells<2>&, const Points<2>&);
+#define PFEM_INSTANTIATE(D)                                                                                    \
+    template std::vector<double> fluidMass<D>(const Problem<D>&, const Cells<D>&, const Points<D>&);           \
+    template std::vector<double> fluidMass<D>(const Problem<D>&, const Cells<D>&, const SmoothingDomains<D>&); \
+    template std::vector<double> solidMass<D>(const Problem<D>&, const Cells<D>&, const Points<D>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -75,10 +75,13 @@ double meniscusWork(const Problem<Dim>& problem, const Cells<Dim>& fluid, const 
     return parallelSum(old.size(), [&](int i) { return force[i].dot(now.x[i] - old.x[i]); });
 }
 
-template std::array<double, 2> meniscusPressure<2>(const Problem<2>&, double, const Topology<2>&, const Nodes<2>&,
-                                                   const Face<2>&);
-template void addMeniscus<2>(const Problem<2>&, const Cells<2>&, const Topology<2>&, const Nodes<2>&, Points<2>&);
-template double meniscusWork<2>(const Problem<2>&, const Cells<2>&, const Topology<2>&, const Nodes<2>&,
-                                const Nodes<2>&, double);
+#define PFEM_INSTANTIATE(D)                                                                                            \
+    template std::array<double, D> meniscusPressure<D>(const Problem<D>&, double, const Topology<D>&, const Nodes<D>&, \
+                                                       const Face<D>&);                                                \
+    template void addMeniscus<D>(const Problem<D>&, const Cells<D>&, const Topology<D>&, const Nodes<D>&, Points<D>&); \
+    template double meniscusWork<D>(const Problem<D>&, const Cells<D>&, const Topology<D>&, const Nodes<D>&,           \
+                                    const Nodes<D>&, double);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

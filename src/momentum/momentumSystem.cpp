@@ -197,6 +197,8 @@ Points<Dim> MomentumSystem<Dim>::solve(const Points<Dim>& residual) {
     return std::move(solution.x);
 }
 
-template class MomentumSystem<2>;
+#define PFEM_INSTANTIATE(D) template class MomentumSystem<D>;
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

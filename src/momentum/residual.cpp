@@ -66,5 +66,6 @@ Points<Dim> momentumResidual(const std::vector<double>& mass, const Nodes<Dim>& 
     template Points<D> momentumResidual<D>(const std::vector<double>&, const Nodes<D>&, const FluidPhase<D>&,       \
                                            const SolidPhase<D>&, const Points<D>&, double);
 PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

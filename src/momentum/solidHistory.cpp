@@ -45,7 +45,10 @@ History historyAtPoints(const Problem<Dim>& problem, const Cells<Dim>& cells, co
     return history;
 }
 
-template std::vector<std::string> historyNames<2>(const Problem<2>&);
-template History historyAtPoints<2>(const Problem<2>&, const Cells<2>&, const SmoothingDomains<2>&, const History&);
+#define PFEM_INSTANTIATE(D)                                               \
+    template std::vector<std::string> historyNames<D>(const Problem<D>&); \
+    template History historyAtPoints<D>(const Problem<D>&, const Cells<D>&, const SmoothingDomains<D>&, const History&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

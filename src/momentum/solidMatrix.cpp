@@ -139,5 +139,6 @@ SymmetricMatrix solidMatrix(const Solids<Dim>& solids, const SmoothingDomains<Di
     template SymmetricMatrix solidMatrix<D>(const Solids<D>&, const SmoothingDomains<D>&, const SolidDofs<D>&, \
                                             const Points<D>&, const std::vector<double>&, const MidpointRule&);
 PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -23,6 +23,8 @@ void SolidPhase<Dim>::moveTo(const Nodes<Dim>& old, const Nodes<Dim>& end, doubl
     elementStress = solidElementStress<Dim>(solids(), gradients, domains, stress, end);
 }
 
-template struct SolidPhase<2>;
+#define PFEM_INSTANTIATE(D) template struct SolidPhase<D>;
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -318,5 +318,6 @@ void storeSolidStress(const SmoothingDomains<Dim>& domains, SolidStress<Dim> str
     template void storeSolidStress<D>(const SmoothingDomains<D>&, SolidStress<D>, std::vector<Stress<D>>&,       \
                                       std::vector<Stress<D>>&);
 PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

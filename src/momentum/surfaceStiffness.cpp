@@ -35,5 +35,6 @@ Points<Dim> matrixInertia(const std::vector<double>& mass, const Points<Dim>& st
                                            const MidpointRule&);                                                     \
     template Points<D> matrixInertia<D>(const std::vector<double>&, const Points<D>&, const MidpointRule&);
 PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -97,5 +97,6 @@ void changeVelocity(const Step<Dim>& step, double part, const Points<Dim>& dv, T
     template void changeVelocity<D>(const Step<D>&, double, const Points<D>&, Trial<D>&); \
     template void setExcess<D>(const Step<D>&, std::vector<double>, Trial<D>&);
 PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -57,11 +57,15 @@ void addSideFriction(const Problem<Dim>& problem, const Cells<Dim>& fluid, const
     });
 }
 
-template Vec<2> sideFriction<2>(const Problem<2>&, double, const Vec<2>&);
-template void addSideFriction<2>(const Problem<2>&, const Cells<2>&, const SmoothingDomains<2>&, const Points<2>&,
-                                 Points<2>&);
-template Vec<2> slidingVelocity<2>(const Problem<2>&, int, const Vec<2>&, const Vec<2>&, const Vec<2>&);
-template Vec<2> wallFriction<2>(const Problem<2>&, int, double, const Vec<2>&);
-template void addWallFriction<2>(const Problem<2>&, const Cells<2>&, const Topology<2>&, const Nodes<2>&, Points<2>&);
+#define PFEM_INSTANTIATE(D)                                                                                            \
+    template Vec<D> sideFriction<D>(const Problem<D>&, double, const Vec<D>&);                                         \
+    template void addSideFriction<D>(const Problem<D>&, const Cells<D>&, const SmoothingDomains<D>&, const Points<D>&, \
+                                     Points<D>&);                                                                      \
+    template Vec<D> slidingVelocity<D>(const Problem<D>&, int, const Vec<D>&, const Vec<D>&, const Vec<D>&);           \
+    template Vec<D> wallFriction<D>(const Problem<D>&, int, double, const Vec<D>&);                                    \
+    template void addWallFriction<D>(const Problem<D>&, const Cells<D>&, const Topology<D>&, const Nodes<D>&,          \
+                                     Points<D>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -1,6 +1,7 @@
 #include "remesh/connectivity.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
@@ -12,34 +13,62 @@ namespace {
 constexpr double lens = 0.05;          // of h^2: least area of a triangle between nodes of one bent wall
 constexpr double releasePlace = 0.25;  // between two places; the contact line has moved on at 0.5
 
-/// Height of the triangle over its face opposite to local node k.
-double height(const Points<2>& x, const Simplex<2>& s, int k) {
-    return 2 * simplexMeasure<2>(x, s) / faceArea<2>(x, oppositeFace<2>(s, k)).norm();
+/// h^Dim, in 3D so that a regular tetrahedron has the same part of it as a regular triangle has of h^2.
+template <int Dim>
+double sizeMeasure(double h) {
+    if constexpr (Dim == 2)
+        return h * h;
+    else
+        return std::sqrt(2.0 / 27) * h * h * h;
 }
 
-double meanSize(const CandidateNodes& nodes, const Simplex<2>& s) {
-    return (nodes.h[s[0]] + nodes.h[s[1]] + nodes.h[s[2]]) / 3;
+/// Height of the cell over its face opposite to local node k.
+template <int Dim>
+double height(const Points<Dim>& x, const Simplex<Dim>& s, int k) {
+    return Dim * simplexMeasure<Dim>(x, s) / faceArea<Dim>(x, oppositeFace<Dim>(s, k)).norm();
 }
 
-int longestFace(const Points<2>& x, const Simplex<2>& s) {
+template <int Dim>
+double meanSize(const CandidateNodes<Dim>& nodes, const Simplex<Dim>& s) {
+    double sum = 0;
+    for (const int node : s) sum += nodes.h[node];
+    return sum / (Dim + 1);
+}
+
+template <int Dim>
+int largestFace(const Points<Dim>& x, const Simplex<Dim>& s) {
     int best = 0;
-    double length = 0;
-    for (int k = 0; k < 3; ++k) {
-        const double l = faceArea<2>(x, oppositeFace<2>(s, k)).squaredNorm();
-        if (l > length) {
-            length = l;
+    double size = 0;
+    for (int k = 0; k <= Dim; ++k) {
+        const double l = faceArea<Dim>(x, oppositeFace<Dim>(s, k)).squaredNorm();
+        if (l > size) {
+            size = l;
             best = k;
         }
     }
     return best;
 }
 
-/// The contact rules for a triangle outside the moved old mesh.
-bool isContact(const RemeshingControls& c, const CandidateNodes& nodes, const Simplex<2>& s) {
-    const double h = meanSize(nodes, s);
-    if (circumradius(nodes.x, s) > c.newContactRadius * h) return false;
+/// Distance of a node from the middle of those of the cell's other nodes that are on solids and wet, or dry.
+template <int Dim>
+double distanceToPlaces(const CandidateNodes<Dim>& nodes, const Simplex<Dim>& s, int fluidNode, bool wet) {
+    Vec<Dim> sum = Vec<Dim>::Zero();
+    int count = 0;
+    for (const int node : s) {
+        if (!nodes.onSolid[node] || static_cast<bool>(nodes.wet[node]) != wet) continue;
+        sum += nodes.x[node];
+        ++count;
+    }
+    return (nodes.x[s[fluidNode]] - sum / count).norm();
+}
+
+/// The contact rules for a cell outside the moved old mesh.
+template <int Dim>
+bool isContact(const RemeshingControls& c, const CandidateNodes<Dim>& nodes, const Simplex<Dim>& s) {
+    const double h = meanSize<Dim>(nodes, s);
+    if (circumradius<Dim>(nodes.x, s) > c.newContactRadius * h) return false;
     int held = 0, dry = 0, fluidNode = -1, dryNode = -1;
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k <= Dim; ++k) {
         if (!nodes.onSolid[s[k]]) {
             fluidNode = k;
             continue;
@@ -50,22 +79,20 @@ bool isContact(const RemeshingControls& c, const CandidateNodes& nodes, const Si
             dryNode = k;
         }
     }
-    if (held == 3) return false;
-    if (held == 2 && dry == 1) {  // the contact line moves on when the fluid has passed the middle
-        const int wetNode = 3 - fluidNode - dryNode;
-        return (nodes.x[s[fluidNode]] - nodes.x[s[dryNode]]).norm() <
-               (nodes.x[s[fluidNode]] - nodes.x[s[wetNode]]).norm();
-    }
-    if (simplexDivergence<2>(nodes.x, nodes.v, s) >= 0) return false;
-    if (held == 2) return height(nodes.x, s, fluidNode) < c.wallContactHeight * h;
-    if (dry == 1) return height(nodes.x, s, dryNode) < c.wallContactHeight * h;
-    return height(nodes.x, s, longestFace(nodes.x, s)) < c.contactHeight * h;
+    if (held == Dim + 1) return false;
+    if (held == Dim && dry > 0 && dry < Dim)  // the contact line moves on when the fluid has passed the middle
+        return distanceToPlaces<Dim>(nodes, s, fluidNode, false) < distanceToPlaces<Dim>(nodes, s, fluidNode, true);
+    if (simplexDivergence<Dim>(nodes.x, nodes.v, s) >= 0) return false;
+    if (held == Dim) return height<Dim>(nodes.x, s, fluidNode) < c.wallContactHeight * h;
+    if (dry > 0) return height<Dim>(nodes.x, s, dryNode) < c.wallContactHeight * h;
+    return height<Dim>(nodes.x, s, largestFace<Dim>(nodes.x, s)) < c.contactHeight * h;
 }
 
+template <int Dim>
 class Selector {
 public:
-    Selector(const RemeshingControls& controls, const Triangulation<2>& triangulation, const CandidateNodes& nodes,
-             const MovedMesh<2>& moved, const MovedPlaces& places)
+    Selector(const RemeshingControls& controls, const Triangulation<Dim>& triangulation, const CandidateNodes<Dim>& nodes,
+             const MovedMesh<Dim>& moved, const MovedPlaces<Dim>& places)
         : controls_(controls),
           t_(triangulation),
           nodes_(nodes),
@@ -75,11 +102,11 @@ public:
           accepted_(t_.cells.size(), 0),
           gap_(t_.cells.size(), 0) {}
 
-    Connectivity select() {
+    Connectivity<Dim> select() {
 #pragma omp parallel for schedule(static) if (static_cast <int>(t_.cells.size()) > shortLoop)
         for (int e = 0; e < static_cast<int>(t_.cells.size()); ++e) judge(e);
         countCells();
-        Connectivity& result = result_;
+        Connectivity<Dim>& result = result_;
         peel();
         result.fluid.reserve(t_.cells.size());
         for (std::size_t e = 0; e < t_.cells.size(); ++e) {
@@ -95,33 +122,33 @@ public:
 private:
     void judge(int e) {
         const auto& s = t_.cells[e];
-        const bool allHeld = nodes_.onSolid[s[0]] && nodes_.onSolid[s[1]] && nodes_.onSolid[s[2]];
+        const bool allHeld = isOnSolids(s);
         if (isFlatOnWall(s) || (allHeld && isSliver(s))) return;
-        const Vec<2> centre = simplexCentroid<2>(nodes_.x, s);
+        const Vec<Dim> centre = simplexCentroid<Dim>(nodes_.x, s);
         inside_[e] = wasFluid(s, centre);
         if (inside_[e]) {
             accepted_[e] = 1;
             return;
         }
         if (allHeld || isBehindWall(s, centre) || places_.solid.contains(centre)) return;
-        accepted_[e] = isContact(controls_, nodes_, s);
+        accepted_[e] = isContact<Dim>(controls_, nodes_, s);
         gap_[e] = !accepted_[e] && isGap(s);
     }
 
     /// Where fluid, two nodes in cells or drops, may soon meet fluid or a solid.
-    bool isGap(const Simplex<2>& s) const {
+    bool isGap(const Simplex<Dim>& s) const {
         const auto fluid = std::count_if(s.begin(), s.end(), [&](int node) { return !nodes_.onSolid[node]; });
-        return fluid >= 2 && circumradius(nodes_.x, s) < controls_.newContactRadius * meanSize(nodes_, s);
+        return fluid >= 2 && circumradius<Dim>(nodes_.x, s) < controls_.newContactRadius * meanSize<Dim>(nodes_, s);
     }
 
     /// Does the moved old mesh hold the point? Mostly in a cell of one of the triangle's own nodes.
-    bool wasFluid(const Simplex<2>& s, const Vec<2>& centre) const {
+    bool wasFluid(const Simplex<Dim>& s, const Vec<Dim>& centre) const {
         const NodeToCells& around = moved_.topology.fluid;
         for (int node : s) {
             const int old = nodes_.old[node];
             if (old < 0) continue;
             for (int slot = around.start[old]; slot < around.start[old + 1]; ++slot)
-                if (holds<2>(moved_.x, moved_.fluid[around.cell[slot]], centre)) return true;
+                if (holds<Dim>(moved_.x, moved_.fluid[around.cell[slot]], centre)) return true;
         }
         return places_.fluid.contains(centre);
     }
@@ -130,22 +157,21 @@ private:
 
     /// Three nodes of one wall are on one line, up to round-off and the bends of the wall: what is between them is no
     /// fluid.
-    bool isFlatOnWall(const Simplex<2>& s) const {
-        const double h = meanSize(nodes_, s);
-        if (!(isBound(s[0]) && isBound(s[1]) && isBound(s[2]))) return false;
-        if (simplexMeasure<2>(nodes_.x, s) < 1e-9 * h * h)
+    bool isFlatOnWall(const Simplex<Dim>& s) const {
+        const double h = meanSize<Dim>(nodes_, s);
+        if (std::any_of(s.begin(), s.end(), [&](int node) { return !isBound(node); })) return false;
+        if (simplexMeasure<Dim>(nodes_.x, s) < 1e-9 * std::pow(h, Dim))
             return std::any_of(s.begin(), s.end(), [&](int node) { return isOnWall(node); });
-        return simplexMeasure<2>(nodes_.x, s) < lens * h * h && onOneWall({s[0], s[1]}) && onOneWall({s[1], s[2]}) &&
-               onOneWall({s[2], s[0]});
+        return simplexMeasure<Dim>(nodes_.x, s) < lens * sizeMeasure<Dim>(h) && onOneWall(s);
     }
 
     /// On the wrong side of a wall that one of its nodes slides along, where the wall is.
-    bool isBehindWall(const Simplex<2>& s, const Vec<2>& centre) const {
+    bool isBehindWall(const Simplex<Dim>& s, const Vec<Dim>& centre) const {
         for (const int node : s)
             for (const int wall : nodes_.wall[node]) {
                 if (wall < 0) continue;
-                const auto place = placeOnRegion<2>(moved_.topology.walls, moved_.x, wall, centre);
-                const Vec<2> inward = inwardNormal<2>(moved_.x, moved_.topology.walls[place.face].nodes);
+                const auto place = placeOnRegion<Dim>(moved_.topology.walls, moved_.x, wall, centre);
+                const Vec<Dim> inward = inwardNormal<Dim>(moved_.x, moved_.topology.walls[place.face].nodes);
                 if (place.beyond < 0 && inward.dot(centre - place.x) < 0) return true;
             }
         return false;
@@ -162,41 +188,49 @@ private:
 
     bool isBound(int node) const { return nodes_.onSolid[node] || isOnWall(node); }
 
-    bool onOneWall(const Face<2>& face) const {
-        for (const int wall : nodes_.wall[face[0]])
-            for (const int other : nodes_.wall[face[1]])
-                if (wall >= 0 && other >= 0 && moved_.topology.joined(wall, other)) return true;
-        return false;
+    template <std::size_t N>
+    bool isOnSolids(const std::array<int, N>& nodes) const {
+        return std::all_of(nodes.begin(), nodes.end(), [&](int node) { return nodes_.onSolid[node]; });
+    }
+
+    /// Have all nodes a support that is joined with one of the first's?
+    template <std::size_t N>
+    bool onOneWall(const std::array<int, N>& nodes) const {
+        const auto lies = [&](int node, int wall) {
+            const auto& own = nodes_.wall[node];
+            return std::any_of(own.begin(), own.end(), [&](int other) {
+                return other >= 0 && moved_.topology.joined(wall, other);
+            });
+        };
+        const auto& first = nodes_.wall[nodes[0]];
+        return std::any_of(first.begin(), first.end(), [&](int wall) {
+            return wall >= 0 && std::all_of(nodes.begin(), nodes.end(), [&](int node) { return lies(node, wall); });
+        });
     }
 
     /// Does the face lie on a solid, or on one wall?
-    bool isClosed(const Face<2>& face) const {
-        return (nodes_.onSolid[face[0]] && nodes_.onSolid[face[1]]) || onOneWall(face);
-    }
+    bool isClosed(const Face<Dim>& face) const { return isOnSolids(face) || onOneWall(face); }
 
     /// A face of the cell is open to the air.
     bool isAtSurface(int e) const {
-        for (int k = 0; k < 3; ++k)
-            if (!isFluid(t_.neighbours[e][k]) && !isClosed(oppositeFace<2>(t_.cells[e], k))) return true;
+        for (int k = 0; k <= Dim; ++k)
+            if (!isFluid(t_.neighbours[e][k]) && !isClosed(oppositeFace<Dim>(t_.cells[e], k))) return true;
         return false;
     }
 
-    bool isSliver(const Simplex<2>& s) const {
-        const double h = meanSize(nodes_, s);
-        return simplexMeasure<2>(nodes_.x, s) < controls_.sliver * h * h;
+    bool isSliver(const Simplex<Dim>& s) const {
+        return simplexMeasure<Dim>(nodes_.x, s) < controls_.sliver * sizeMeasure<Dim>(meanSize<Dim>(nodes_, s));
     }
 
     bool isStretched(int e) const {
         const auto& s = t_.cells[e];
-        return isSliver(s) || circumradius(nodes_.x, s) > controls_.alpha * controls_.alphaInside * meanSize(nodes_, s);
+        return isSliver(s) || circumradius<Dim>(nodes_.x, s) > controls_.alpha * controls_.alphaInside * meanSize<Dim>(nodes_, s);
     }
 
     /// A lone triangle between places of solids: what little it holds, no fluid node can carry.
     bool isTrapped(int e) const {
-        const auto& s = t_.cells[e];
         const auto& n = t_.neighbours[e];
-        return nodes_.onSolid[s[0]] && nodes_.onSolid[s[1]] && nodes_.onSolid[s[2]] && !isFluid(n[0]) &&
-               !isFluid(n[1]) && !isFluid(n[2]);
+        return isOnSolids(t_.cells[e]) && std::none_of(n.begin(), n.end(), [&](int other) { return isFluid(other); });
     }
 
     /// A node hangs on this triangle alone, and the triangle is flat or about to collapse: such a node has hardly any
@@ -205,9 +239,9 @@ private:
         const auto& s = t_.cells[e];
         if (std::none_of(s.begin(), s.end(), [&](int node) { return cells_[node] == 1 && !nodes_.onSolid[node]; }))
             return false;
-        const double h = meanSize(nodes_, s);
-        return simplexMeasure<2>(nodes_.x, s) < controls_.hangingArea * h * h ||
-               simplexDivergence<2>(nodes_.x, nodes_.v, s) * nodes_.dt < -0.5;
+        const double least = controls_.hangingArea * sizeMeasure<Dim>(meanSize<Dim>(nodes_, s));
+        return simplexMeasure<Dim>(nodes_.x, s) < least ||
+               simplexDivergence<Dim>(nodes_.x, nodes_.v, s) * nodes_.dt < -0.5;
     }
 
     /// A place on a solid that only this triangle carries, and the fluid has gone back to a quarter of the way to the
@@ -215,18 +249,32 @@ private:
     /// it, and the level with that.
     bool isReleased(int e) const {
         const auto& s = t_.cells[e];
-        for (int k = 0; k < 3; ++k) {
-            const int f = s[k], a = s[(k + 1) % 3], b = s[(k + 2) % 3];
-            if (nodes_.onSolid[f] || !nodes_.onSolid[a] || !nodes_.onSolid[b]) continue;
-            const Vec<2> edge = nodes_.x[b] - nodes_.x[a];
-            const double place = edge.dot(nodes_.x[f] - nodes_.x[a]) / edge.squaredNorm();
-            return (cells_[a] == 1 && place > 1 - releasePlace) || (cells_[b] == 1 && place < releasePlace);
+        for (int k = 0; k <= Dim; ++k) {
+            const auto face = oppositeFace<Dim>(s, k);
+            if (nodes_.onSolid[s[k]] || !isOnSolids(face)) continue;
+            const auto weight = weightsOn(face, nodes_.x[s[k]]);
+            for (int i = 0; i < Dim; ++i)
+                if (cells_[face[i]] == 1 && weight[i] < releasePlace) return true;
+            return false;
         }
         return false;
     }
 
+    /// The foot of a point on the plane of a face as a weighted mean of its nodes.
+    Vec<Dim> weightsOn(const Face<Dim>& face, const Vec<Dim>& point) const {
+        const Vec<Dim> a = nodes_.x[face[0]], b = nodes_.x[face[1]] - a, p = point - a;
+        if constexpr (Dim == 2) {
+            const double place = b.dot(p) / b.squaredNorm();
+            return {1 - place, place};
+        } else {
+            const Vec<3> c = nodes_.x[face[2]] - a, n = b.cross(c);
+            const double s = p.cross(c).dot(n) / n.squaredNorm(), t = b.cross(p).dot(n) / n.squaredNorm();
+            return {1 - s - t, s, t};
+        }
+    }
+
     void change(std::size_t e, VolumeCause cause, int sign) {
-        result_.changes.push_back({cause, t_.cells[e], sign * simplexMeasure<2>(nodes_.x, t_.cells[e])});
+        result_.changes.push_back({cause, t_.cells[e], sign * simplexMeasure<Dim>(nodes_.x, t_.cells[e])});
     }
 
     void peel() {
@@ -251,29 +299,39 @@ private:
     }
 
     const RemeshingControls& controls_;
-    const Triangulation<2>& t_;
-    const CandidateNodes& nodes_;
-    const MovedMesh<2>& moved_;
-    const MovedPlaces& places_;
+    const Triangulation<Dim>& t_;
+    const CandidateNodes<Dim>& nodes_;
+    const MovedMesh<Dim>& moved_;
+    const MovedPlaces<Dim>& places_;
     std::vector<unsigned char> inside_;
     std::vector<unsigned char> accepted_;
     std::vector<unsigned char> gap_;
     std::vector<int> cells_;  // accepted cells per node
-    Connectivity result_;
+    Connectivity<Dim> result_;
 };
 
 }  // namespace
 
-std::vector<Simplex<2>> cellsOf(const std::vector<CellChange>& changes, VolumeCause cause) {
-    std::vector<Simplex<2>> cells;
+template <int Dim>
+std::vector<Simplex<Dim>> cellsOf(const std::vector<CellChange<Dim>>& changes, VolumeCause cause) {
+    std::vector<Simplex<Dim>> cells;
     for (const auto& change : changes)
         if (change.cause == cause) cells.push_back(change.cell);
     return cells;
 }
 
-Connectivity selectFluid(const RemeshingControls& controls, const Triangulation<2>& triangulation,
-                         const CandidateNodes& nodes, const MovedMesh<2>& moved, const MovedPlaces& places) {
-    return Selector(controls, triangulation, nodes, moved, places).select();
+template <int Dim>
+Connectivity<Dim> selectFluid(const RemeshingControls& controls, const Triangulation<Dim>& triangulation,
+                              const CandidateNodes<Dim>& nodes, const MovedMesh<Dim>& moved,
+                              const MovedPlaces<Dim>& places) {
+    return Selector<Dim>(controls, triangulation, nodes, moved, places).select();
 }
+
+#define PFEM_INSTANTIATE(D)                                                                                     \
+    template std::vector<Simplex<D>> cellsOf<D>(const std::vector<CellChange<D>>&, VolumeCause);                \
+    template Connectivity<D> selectFluid<D>(const RemeshingControls&, const Triangulation<D>&,                  \
+                                            const CandidateNodes<D>&, const MovedMesh<D>&, const MovedPlaces<D>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -9,45 +9,52 @@
 namespace pfem {
 
 /// A candidate's nodes with what the rules ask about them; new node indices.
+template <int Dim>
 struct CandidateNodes {
-    Points<2> x;
-    Points<2> v;
+    Points<Dim> x;
+    Points<Dim> v;
     std::vector<double> h;
     std::vector<unsigned char> onSolid;
-    std::vector<unsigned char> wet;  // was in a fluid cell before
-    std::vector<int> old;            // index in the moved old mesh, -1 for inserted nodes
-    double dt = 0;                   // length of the step [s]
-    std::vector<Supports<2>> wall;   // as Topology::supports
+    std::vector<unsigned char> wet;   // was in a fluid cell before
+    std::vector<int> old;             // index in the moved old mesh, -1 for inserted nodes
+    double dt = 0;                    // length of the step [s]
+    std::vector<Supports<Dim>> wall;  // as Topology::supports
 };
 
-/// A triangle that has become fluid or has ceased to be.
+/// A cell that has become fluid or has ceased to be.
+template <int Dim>
 struct CellChange {
     VolumeCause cause;
-    Simplex<2> cell;
+    Simplex<Dim> cell;
     double amount = 0;  // its measure, negative when it has gone
 };
 
+template <int Dim>
 struct Connectivity {
-    std::vector<Simplex<2>> fluid;
-    std::vector<Simplex<2>> gaps;     // triangles of air, no larger than a contact may be, between surfaces or drops
-    std::vector<CellChange> changes;  // by `contact` outside the moved old mesh, by `stretched` and `released` inside
+    std::vector<Simplex<Dim>> fluid;
+    std::vector<Simplex<Dim>> gaps;        // cells of air, no larger than a contact may be, between surfaces or drops
+    std::vector<CellChange<Dim>> changes;  // by `contact` outside the moved old mesh, by `stretched`, `released` inside
 };
 
 /// The cells of the changes by one cause.
-std::vector<Simplex<2>> cellsOf(const std::vector<CellChange>& changes, VolumeCause cause);
+template <int Dim>
+std::vector<Simplex<Dim>> cellsOf(const std::vector<CellChange<Dim>>& changes, VolumeCause cause);
 
 /// Which cells of the moved old mesh, which must outlive it, hold a point.
+template <int Dim>
 struct MovedPlaces {
-    Locator<2> fluid, solid;
+    Locator<Dim> fluid, solid;
 
-    explicit MovedPlaces(const MovedMesh<2>& moved) : fluid(moved.x, moved.fluid), solid(moved.x, moved.solid) {}
+    explicit MovedPlaces(const MovedMesh<Dim>& moved) : fluid(moved.x, moved.fluid), solid(moved.x, moved.solid) {}
 };
 
-/// Inside the moved old mesh everything is fluid; from its boundary, triangles with a circumradius above
-/// alphaInside alpha h, slivers and collapsing triangles with a node of their own are peeled off, and a solid's node
-/// carried by one triangle is released when the fluid has come nearer to the other solid node. Outside, a triangle is a
+/// Inside the moved old mesh everything is fluid; from its boundary, cells with a circumradius above
+/// alphaInside alpha h, slivers and collapsing cells with a node of their own are peeled off, and a solid's node
+/// carried by one cell is released when the fluid has come nearer to the other solid nodes. Outside, a cell is a
 /// new contact and must be small, close and closing; one that is small alone is a gap.
-Connectivity selectFluid(const RemeshingControls& controls, const Triangulation<2>& triangulation,
-                         const CandidateNodes& nodes, const MovedMesh<2>& moved, const MovedPlaces& places);
+template <int Dim>
+Connectivity<Dim> selectFluid(const RemeshingControls& controls, const Triangulation<Dim>& triangulation,
+                              const CandidateNodes<Dim>& nodes, const MovedMesh<Dim>& moved,
+                              const MovedPlaces<Dim>& places);
 
 }  // namespace pfem

@@ -103,14 +103,20 @@ std::vector<Turned> sortedCells(const Cdt& cdt, int nPoints) {
 
 }  // namespace
 
-struct Triangulator::Kept : MovedTriangulation {};
+template <>
+struct Triangulator<2>::Kept : MovedTriangulation {};
 
-Triangulator::Triangulator() : kept_(std::make_unique<Kept>()) {}
-Triangulator::~Triangulator() = default;
-Triangulator::Triangulator(Triangulator&&) noexcept = default;
-Triangulator& Triangulator::operator=(Triangulator&&) noexcept = default;
+template <>
+Triangulator<2>::Triangulator() : kept_(std::make_unique<Kept>()) {}
+template <>
+Triangulator<2>::~Triangulator() = default;
+template <>
+Triangulator<2>::Triangulator(Triangulator&&) noexcept = default;
+template <>
+Triangulator<2>& Triangulator<2>::operator=(Triangulator&&) noexcept = default;
 
-void Triangulator::follow(const Points<2>& points, const std::vector<Id>& ids, const std::vector<int>& active,
+template <>
+void Triangulator<2>::follow(const Points<2>& points, const std::vector<Id>& ids, const std::vector<int>& active,
                           const std::vector<Face<2>>& fixed, const std::vector<Face<2>>& wished) {
     const Handles handle = kept_->move(points, ids, active);
     if (kept_->cdt.dimension() < 2) return;
@@ -122,7 +128,8 @@ void Triangulator::follow(const Points<2>& points, const std::vector<Id>& ids, c
     kept_->keep();
 }
 
-Triangulation<2> Triangulator::triangulation(int nPoints) const {
+template <>
+Triangulation<2> Triangulator<2>::triangulation(int nPoints) const {
     Cdt& cdt = kept_->cdt;
     if (cdt.dimension() < 2) return {};
     const auto cells = sortedCells(cdt, nPoints);
@@ -147,7 +154,7 @@ Triangulation<2> constrainedDelaunay(const Points<2>& points, const std::vector<
                                      const std::vector<Face<2>>& fixed, const std::vector<Face<2>>& wished) {
     std::vector<Id> ids(points.size());
     std::iota(ids.begin(), ids.end(), 0);
-    Triangulator triangulator;
+    Triangulator<2> triangulator;
     triangulator.follow(points, ids, active, fixed, wished);
     return triangulator.triangulation(static_cast<int>(points.size()));
 }

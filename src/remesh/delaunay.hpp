@@ -14,9 +14,10 @@ struct Triangulation {
     std::vector<std::array<int, Dim + 1>> neighbours;  // opposite to local node k; -1 outside the hull
 };
 
-/// Constrained Delaunay triangulations of points that move a little from one time to the next. What the last time has
-/// left is mended; the result is that of a triangulation from nothing, to the order of the cells: by their first nodes,
-/// the smallest of each cell, then by the second.
+/// Delaunay triangulations of points that move a little from one time to the next. The result is that of a triangulation
+/// from nothing, to the order of the cells: by their first nodes, the smallest of each cell, then by the second (and
+/// third). In 2D what the last time has left is mended, and faces constrain the triangulation; in 3D they do not.
+template <int Dim>
 class Triangulator {
 public:
     Triangulator();
@@ -31,18 +32,18 @@ public:
     /// one stands for all, in cells and in faces. `fixed`: faces that must appear (walls, solids). `wished`: faces that
     /// appear unless they would cross a fixed or an earlier one (free surface). Throws StepFailure when fixed faces
     /// cross each other.
-    void follow(const Points<2>& points, const std::vector<Id>& ids, const std::vector<int>& active,
-                const std::vector<Face<2>>& fixed, const std::vector<Face<2>>& wished);
+    void follow(const Points<Dim>& points, const std::vector<Id>& ids, const std::vector<int>& active,
+                const std::vector<Face<Dim>>& fixed, const std::vector<Face<Dim>>& wished);
 
     /// Of the nPoints points followed last.
-    Triangulation<2> triangulation(int nPoints) const;
+    Triangulation<Dim> triangulation(int nPoints) const;
 
 private:
     struct Kept;
     std::unique_ptr<Kept> kept_;
 };
 
-/// The same from nothing.
+/// The same from nothing (2D).
 Triangulation<2> constrainedDelaunay(const Points<2>& points, const std::vector<int>& active,
                                      const std::vector<Face<2>>& fixed, const std::vector<Face<2>>& wished);
 

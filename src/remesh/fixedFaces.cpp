@@ -57,7 +57,8 @@ std::vector<OnWall> nodesOnWalls(const State<2>& state, const Topology<2>& topol
 
 }  // namespace
 
-std::vector<Face<2>> fixedFaces(const State<2>& state, const std::vector<PatchKind>& kinds, const Topology<2>& topology,
+template <>
+std::vector<Face<2>> fixedFaces<2>(const State<2>& state, const std::vector<PatchKind>& kinds, const Topology<2>& topology,
                                 const std::vector<int>& newIndex) {
     std::vector<Face<2>> fixed;
     const auto& [x, h] = std::tie(state.nodes.x, state.nodes.h);
@@ -74,6 +75,12 @@ std::vector<Face<2>> fixedFaces(const State<2>& state, const std::vector<PatchKi
         if (a.face == b.face || gap < 3 * std::max(h[a.node], h[b.node])) fixed.push_back({a.node, b.node});
     }
     return fixed;
+}
+
+template <>
+std::vector<Face<3>> fixedFaces<3>(const State<3>&, const std::vector<PatchKind>&, const Topology<3>&,
+                                   const std::vector<int>&) {
+    return {};
 }
 
 }  // namespace pfem

@@ -59,6 +59,8 @@ void joinDrops(const RemeshingControls& controls, MovedMesh<Dim>& moved, State<D
     }
 }
 
-template void joinDrops<2>(const RemeshingControls&, MovedMesh<2>&, State<2>&);
+#define PFEM_INSTANTIATE(D) template void joinDrops<D>(const RemeshingControls&, MovedMesh<D>&, State<D>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -52,6 +52,9 @@ std::vector<int> goneForGood(const Topology<Dim>& topology, const Vec<Dim>& grav
     return gone;
 }
 
-template std::vector<int> goneForGood<2>(const Topology<2>&, const Vec<2>&, bool, const State<2>&);
+#define PFEM_INSTANTIATE(D) \
+    template std::vector<int> goneForGood<D>(const Topology<D>&, const Vec<D>&, bool, const State<D>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -12,7 +12,8 @@ namespace {
 
 /// What nodes that went and places on walls and solids that fell dry lack, to their old neighbours. Returns
 /// what found no heir.
-double handOver(const MovedMesh<2>& moved, const std::vector<int>& newIndex, const std::vector<unsigned char>& wet,
+template <int Dim>
+double handOver(const MovedMesh<Dim>& moved, const std::vector<int>& newIndex, const std::vector<unsigned char>& wet,
                 std::vector<double>& lost) {
     double orphaned = 0;
     for (int i = 0; i < moved.topology.nNodes(); ++i) {
@@ -20,7 +21,7 @@ double handOver(const MovedMesh<2>& moved, const std::vector<int>& newIndex, con
         const bool dryPlace = node >= 0 && !moved.topology.ofFluid(i) && !wet[node];
         if (node >= 0 && !dryPlace) continue;
         const double amount = node < 0 ? moved.lostVolume[i] + moved.dropVolume[i] : lost[node];
-        const auto heirs = heirsOf<2>(moved, newIndex, wet, i);
+        const auto heirs = heirsOf<Dim>(moved, newIndex, wet, i);
         for (int heir : heirs) lost[heir] += amount / static_cast<double>(heirs.size());
         if (heirs.empty()) orphaned += amount;
         if (dryPlace) lost[node] = 0;
@@ -30,23 +31,25 @@ double handOver(const MovedMesh<2>& moved, const std::vector<int>& newIndex, con
 
 /// What removed surface nodes cut off or fill in, half to each of their neighbours: give(node, amount); returns the
 /// sum.
-template <class Give>
-double shareCuts(const MovedMesh<2>& moved, const NodePlan<2>& plan, const std::vector<int>& newIndex,
+template <int Dim, class Give>
+double shareCuts(const MovedMesh<Dim>& moved, const NodePlan<Dim>& plan, const std::vector<int>& newIndex,
                  const Give& give) {
     double sum = 0;
-    for (const auto& cut : plan.cuts) {
-        const double amount = -0.5 * simplexMeasure<2>(moved.x, cut);
-        for (int end : {cut[0], cut[2]}) {
-            if (newIndex[end] < 0) continue;
-            give(newIndex[end], amount);
-            sum += amount;
+    if constexpr (Dim == 2)
+        for (const auto& cut : plan.cuts) {
+            const double amount = -0.5 * simplexMeasure<2>(moved.x, cut);
+            for (int end : {cut[0], cut[2]}) {
+                if (newIndex[end] < 0) continue;
+                give(newIndex[end], amount);
+                sum += amount;
+            }
         }
-    }
     return sum;
 }
 
 /// Old surface nodes that are still in the fluid; new indices.
-std::vector<int> lastingSurface(const MovedMesh<2>& moved, const std::vector<int>& newIndex,
+template <int Dim>
+std::vector<int> lastingSurface(const MovedMesh<Dim>& moved, const std::vector<int>& newIndex,
                                 const std::vector<unsigned char>& wet) {
     std::vector<int> surface;
     for (int i = 0; i < moved.topology.nNodes(); ++i)
@@ -63,8 +66,9 @@ std::vector<int> chosen(const std::vector<unsigned char>& marked) {
 }
 
 /// Nodes without triangles carry what they lack; those that have found one lack what they carried.
-void exchangeWithDrops(const MovedMesh<2>& moved, const std::vector<int>& newIndex,
-                       const std::vector<unsigned char>& wet, Nodes<2>& nodes) {
+template <int Dim>
+void exchangeWithDrops(const MovedMesh<Dim>& moved, const std::vector<int>& newIndex,
+                       const std::vector<unsigned char>& wet, Nodes<Dim>& nodes) {
     for (int i = 0; i < moved.topology.nNodes(); ++i) {
         const int node = newIndex[i];
         if (node < 0) continue;
@@ -105,11 +109,12 @@ void chargeMotion(const NodeToCells& around, const std::vector<Simplex<Dim>>& ce
     });
 }
 
-void bookRemeshing(const MovedMesh<2>& moved, const NodePlan<2>& plan, const std::vector<int>& newIndex,
-                   const std::vector<CellChange>& changes, VolumeLedger& sheet, State<2>& state) {
+template <int Dim>
+void bookRemeshing(const MovedMesh<Dim>& moved, const NodePlan<Dim>& plan, const std::vector<int>& newIndex,
+                   const std::vector<CellChange<Dim>>& changes, VolumeLedger& sheet, State<Dim>& state) {
     std::vector<double>& lost = state.nodes.lostVolume;
-    const auto wet = nodesIn<2>(state.mesh.fluid.nodes, state.nodes.size());
-    double reshaped = cellVolume<2>(state.nodes.x, state.mesh.fluid.nodes) - moved.volume;
+    const auto wet = nodesIn<Dim>(state.mesh.fluid.nodes, state.nodes.size());
+    double reshaped = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes) - moved.volume;
     for (const auto cause : {VolumeCause::contact, VolumeCause::stretched, VolumeCause::released}) sheet.book(cause, 0);
     for (const auto& [cause, cell, amount] : changes) sheet.book(cause, cell, amount);
     for (int node = 0; node < state.nodes.size(); ++node) lost[node] -= sheet.atNodes()[node];
@@ -117,7 +122,7 @@ void bookRemeshing(const MovedMesh<2>& moved, const NodePlan<2>& plan, const std
         reshaped -= sheet[cause];
 
     sheet.book(VolumeCause::reshaped, reshaped);
-    const double cuts = shareCuts(moved, plan, newIndex, [&](int node, double amount) {
+    const double cuts = shareCuts<Dim>(moved, plan, newIndex, [&](int node, double amount) {
         sheet.place(VolumeCause::reshaped, node, amount);
         lost[node] -= amount;
     });
@@ -130,6 +135,11 @@ void bookRemeshing(const MovedMesh<2>& moved, const NodePlan<2>& plan, const std
     exchangeWithDrops(moved, newIndex, wet, state.nodes);
 }
 
-template void chargeMotion<2>(const NodeToCells&, const std::vector<Simplex<2>>&, const Points<2>&, Nodes<2>&);
+#define PFEM_INSTANTIATE(D)                                                                                          \
+    template void chargeMotion<D>(const NodeToCells&, const std::vector<Simplex<D>>&, const Points<D>&, Nodes<D>&); \
+    template void bookRemeshing<D>(const MovedMesh<D>&, const NodePlan<D>&, const std::vector<int>&,                 \
+                                   const std::vector<CellChange<D>>&, VolumeLedger&, State<D>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

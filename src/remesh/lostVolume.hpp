@@ -24,7 +24,8 @@ void chargeMotion(const NodeToCells& around, const std::vector<Simplex<Dim>>& ce
 /// half to each of its neighbours; the rest to all surface nodes. Removed nodes and dry places on walls and solids hand
 /// what they lack to their ring. Nodes without triangles carry it as a drop. The state has its new cells; `newIndex`:
 /// of the old nodes.
-void bookRemeshing(const MovedMesh<2>& moved, const NodePlan<2>& plan, const std::vector<int>& newIndex,
-                   const std::vector<CellChange>& changes, VolumeLedger& sheet, State<2>& state);
+template <int Dim>
+void bookRemeshing(const MovedMesh<Dim>& moved, const NodePlan<Dim>& plan, const std::vector<int>& newIndex,
+                   const std::vector<CellChange<Dim>>& changes, VolumeLedger& sheet, State<Dim>& state);
 
 }  // namespace pfem

@@ -40,6 +40,8 @@ double MotionAccount<Dim>::change(VolumeCause cause, State<Dim>& state) {
     return volume_ - before;
 }
 
-template class MotionAccount<2>;
+#define PFEM_INSTANTIATE(D) template class MotionAccount<D>;
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -19,6 +19,8 @@ MovedMesh<Dim> movedMesh(const State<Dim>& state, Topology<Dim> topology, const 
     return moved;
 }
 
-template MovedMesh<2> movedMesh<2>(const State<2>&, Topology<2>, const std::vector<int>&);
+#define PFEM_INSTANTIATE(D) template MovedMesh<D> movedMesh<D>(const State<D>&, Topology<D>, const std::vector<int>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
@@ -24,6 +25,7 @@ public:
           near_(moved.x.size(), 0),
           long_(moved.x.size(), 0) {
         plan_.removed.assign(moved.x.size(), 0);
+        findBoundaryEdges();
         closest_ = std::max(controls.removeDistance, controls.removeDistanceSurface);
         parallelFor(static_cast<int>(moved.x.size()), [&](int i) {  // most nodes need no second look
             for (int s = ring_.start[i]; s < ring_.start[i + 1]; ++s) {
@@ -167,6 +169,7 @@ private:
     }
 
     bool isBoundaryEdge(int i, int j) const {
+        if constexpr (Dim == 3) return boundaryEdges_.count({std::min(i, j), std::max(i, j)}) > 0;
         int cells = 0;
         const auto& around = moved_.topology.fluid;
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
@@ -174,6 +177,15 @@ private:
             cells += std::find(cell.begin(), cell.end(), j) != cell.end();
         }
         return cells < 2;
+    }
+
+    void findBoundaryEdges() {
+        if constexpr (Dim == 3)
+            for (const auto& face : moved_.topology.faces)
+                for (int k = 0; k < 3; ++k) {
+                    const int i = face.nodes[k], j = face.nodes[(k + 1) % 3];
+                    boundaryEdges_.insert({std::min(i, j), std::max(i, j)});
+                }
     }
 
     /// The surface polygon without removed nodes and with the halves of split edges.
@@ -216,6 +228,7 @@ private:
     const std::vector<double>& h_;
     const std::vector<unsigned char>& kept_;
     const NodeToNodes& ring_;
+    std::set<std::array<int, 2>> boundaryEdges_;  // (3D) of faces without a neighbour
     double closest_ = 0;  // in units of h: no node goes for one that is farther
     std::vector<unsigned char> locked_;
     std::vector<unsigned char> near_;  // to a neighbour: such a node may have to go
@@ -231,7 +244,10 @@ NodePlan<Dim> planNodes(const RemeshingControls& controls, const MovedMesh<Dim>&
     return Planner<Dim>(controls, moved, h, kept).plan();
 }
 
-template NodePlan<2> planNodes<2>(const RemeshingControls&, const MovedMesh<2>&, const std::vector<double>&,
-                                  const std::vector<unsigned char>&);
+#define PFEM_INSTANTIATE(D)                                                                                      \
+    template NodePlan<D> planNodes<D>(const RemeshingControls&, const MovedMesh<D>&, const std::vector<double>&, \
+                                      const std::vector<unsigned char>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -78,6 +78,9 @@ void postRemeshing(const MovedMesh<Dim>& moved, const std::vector<int>& newIndex
     state.ledger.post(std::move(sheet));
 }
 
-template void postRemeshing<2>(const MovedMesh<2>&, const std::vector<int>&, VolumeLedger, State<2>&);
+#define PFEM_INSTANTIATE(D) \
+    template void postRemeshing<D>(const MovedMesh<D>&, const std::vector<int>&, VolumeLedger, State<D>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -93,9 +93,10 @@ std::vector<Face<Dim>> surfaceFaces(const RemeshingControls& controls, const Nod
 }
 
 /// What the selection rules ask about the new nodes.
-CandidateNodes candidateNodes(const State<2>& state, const MovedMesh<2>& moved, const std::vector<int>& newIndex,
+template <int Dim>
+CandidateNodes<Dim> candidateNodes(const State<Dim>& state, const MovedMesh<Dim>& moved, const std::vector<int>& newIndex,
                               double dt) {
-    CandidateNodes c;
+    CandidateNodes<Dim> c;
     c.dt = dt;
     const int n = state.nodes.size();
     c.x = state.nodes.x;
@@ -116,15 +117,16 @@ CandidateNodes candidateNodes(const State<2>& state, const MovedMesh<2>& moved, 
 }
 
 /// Solid nodes off the boundary and points of walls do not take part in the triangulation.
-std::vector<int> activeNodes(const State<2>& state, const std::vector<PatchKind>& kinds) {
-    const auto around = nodeToCells<2>(state.mesh.solid.nodes, state.nodes.size());
+template <int Dim>
+std::vector<int> activeNodes(const State<Dim>& state, const std::vector<PatchKind>& kinds) {
+    const auto around = nodeToCells<Dim>(state.mesh.solid.nodes, state.nodes.size());
     std::vector<unsigned char> active(state.nodes.size(), 1);
     for (std::size_t k = 0; k < kinds.size(); ++k)
         for (const auto& face : state.mesh.patches[k].faces)
             for (int node : face) active[node] = !isWall(kinds[k]);
     for (const auto& s : state.mesh.solid.nodes)
         for (int node : s) active[node] = 0;
-    for (const auto& face : boundaryFaces<2>(state.mesh.solid.nodes, around))
+    for (const auto& face : boundaryFaces<Dim>(state.mesh.solid.nodes, around))
         for (int node : face.nodes) active[node] = 1;
     std::vector<int> list;
     for (int i = 0; i < state.nodes.size(); ++i)
@@ -133,7 +135,8 @@ std::vector<int> activeNodes(const State<2>& state, const std::vector<PatchKind>
 }
 
 /// Drops that go take their volume with them.
-void bookGone(const MovedMesh<2>& moved, const std::vector<int>& gone, State<2>& state) {
+template <int Dim>
+void bookGone(const MovedMesh<Dim>& moved, const std::vector<int>& gone, State<Dim>& state) {
     if (gone.empty()) return;
     std::vector<double> amounts = moved.gone;
     for (double& amount : amounts) amount = -amount;
@@ -141,30 +144,37 @@ void bookGone(const MovedMesh<2>& moved, const std::vector<int>& gone, State<2>&
 }
 
 /// Nodes without triangles have no pressure.
-void clearDryPressure(State<2>& state) {
-    const auto wet = nodesIn<2>(state.mesh.fluid.nodes, state.nodes.size());
+template <int Dim>
+void clearDryPressure(State<Dim>& state) {
+    const auto wet = nodesIn<Dim>(state.mesh.fluid.nodes, state.nodes.size());
     for (int i = 0; i < state.nodes.size(); ++i)
         if (!wet[i]) state.nodes.p[i] = 0;
 }
 
 }  // namespace
 
-bool isDistorted(double distortion, const Points<2>& x, const std::vector<Simplex<2>>& fluid) {
-    return distortion == 0 || std::any_of(fluid.begin(), fluid.end(), [&](const Simplex<2>& s) {
+template <int Dim>
+bool isDistorted(double distortion, const Points<Dim>& x, const std::vector<Simplex<Dim>>& fluid) {
+    return distortion == 0 || std::any_of(fluid.begin(), fluid.end(), [&](const Simplex<Dim>& s) {
                double squares = 0;
-               for (int k = 0; k < 3; ++k) squares += faceArea<2>(x, oppositeFace<2>(s, k)).squaredNorm();
-               return 4 * std::sqrt(3.0) * simplexMeasure<2>(x, s) < distortion * squares;
+               for (int a = 0; a < Dim; ++a)
+                   for (int b = a + 1; b <= Dim; ++b) squares += (x[s[b]] - x[s[a]]).squaredNorm();
+               const double measure = simplexMeasure<Dim>(x, s);
+               if constexpr (Dim == 2)
+                   return 4 * std::sqrt(3.0) * measure < distortion * squares;
+               else
+                   return 12 * std::cbrt(9 * measure * std::abs(measure)) < distortion * squares;
            });
 }
 
 template <int Dim>
-RemeshReport<Dim> remesh(RemeshTask<Dim> task, Triangulator& triangulator, State<Dim>& state) {
+RemeshReport<Dim> remesh(RemeshTask<Dim> task, Triangulator<Dim>& triangulator, State<Dim>& state) {
     const RemeshingControls& controls = task.controls;
     const std::vector<PatchKind>& kinds = task.kinds;
     MovedMesh<Dim> moved = movedMesh<Dim>(state, std::move(task.topology), task.gone);
     joinDrops<Dim>(controls, moved, state);
     const double drops = std::accumulate(moved.dropVolume.begin(), moved.dropVolume.end(), 0.0);
-    bookGone(moved, task.gone, state);
+    bookGone<Dim>(moved, task.gone, state);
     auto plan = planNodes<Dim>(controls, moved, state.nodes.h, keptNodes<Dim>(state.mesh, state.nodes.size()));
     for (const int drop : task.gone) plan.removed[drop] = 1;
     for (std::size_t i = 0; i < moved.joins.size(); ++i)
@@ -172,40 +182,44 @@ RemeshReport<Dim> remesh(RemeshTask<Dim> task, Triangulator& triangulator, State
     const int material = state.mesh.fluid.material.empty() ? 0 : state.mesh.fluid.material[0];
     const auto newIndex = carryOut<Dim>(plan, moved, state);
 
-    CandidateNodes candidates;
-    std::optional<MovedPlaces> places;
+    CandidateNodes<Dim> candidates;
+    std::optional<MovedPlaces<Dim>> places;
     parallelInvoke(
         state.nodes.size(),
         [&] {
-            triangulator.follow(state.nodes.x, state.nodes.id, activeNodes(state, kinds),
-                                fixedFaces(state, kinds, moved.topology, newIndex),
+            triangulator.follow(state.nodes.x, state.nodes.id, activeNodes<Dim>(state, kinds),
+                                fixedFaces<Dim>(state, kinds, moved.topology, newIndex),
                                 surfaceFaces<Dim>(controls, plan, newIndex));
         },
         [&] {
-            candidates = candidateNodes(state, moved, newIndex, task.dt);
+            candidates = candidateNodes<Dim>(state, moved, newIndex, task.dt);
             places.emplace(moved);
         });
     const auto selected =
-        selectFluid(controls, triangulator.triangulation(state.nodes.size()), candidates, moved, *places);
+        selectFluid<Dim>(controls, triangulator.triangulation(state.nodes.size()), candidates, moved, *places);
     state.mesh.fluid.nodes = selected.fluid;
     state.mesh.fluid.material.assign(selected.fluid.size(), material);
 
     VolumeLedger sheet = state.ledger.sheet(state.nodes.size());
-    bookRemeshing(moved, plan, newIndex, selected.changes, sheet, state);
+    bookRemeshing<Dim>(moved, plan, newIndex, selected.changes, sheet, state);
     sheet.book(VolumeCause::isolated, dropVolume<Dim>(state) - drops);
     sheet.place(VolumeCause::isolated, state.nodes.dropVolume);
     state.ledger.place(VolumeCause::isolated, moved.dropVolume, -1);
     postRemeshing<Dim>(moved, newIndex, std::move(sheet), state);
-    clearDryPressure(state);
+    clearDryPressure<Dim>(state);
 
     RemeshReport<Dim> report;
     report.removed = std::accumulate(plan.removed.begin(), plan.removed.end(), 0);
     report.inserted = static_cast<int>(plan.inserted.size());
-    report.contacts = cellsOf(selected.changes, VolumeCause::contact);
+    report.contacts = cellsOf<Dim>(selected.changes, VolumeCause::contact);
     report.gaps = selected.gaps;
     return report;
 }
 
-template RemeshReport<2> remesh<2>(RemeshTask<2>, Triangulator&, State<2>&);
+#define PFEM_INSTANTIATE(D)                                                                      \
+    template bool isDistorted<D>(double, const Points<D>&, const std::vector<Simplex<D>>&);      \
+    template RemeshReport<D> remesh<D>(RemeshTask<D>, Triangulator<D>&, State<D>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -7,9 +7,10 @@
 
 namespace pfem {
 
-/// Is there a fluid triangle with a quality 4 sqrt(3) |e| / (sum of squared edges) (1: equilateral) below
-/// `distortion`? Always true when that is 0: remesh every step.
-bool isDistorted(double distortion, const Points<2>& x, const std::vector<Simplex<2>>& fluid);
+/// Is there a fluid cell with a quality (1: equilateral) 4 sqrt(3) |e| / (sum of squared edges), 3D 12 (3 |e|)^(2/3) /
+/// (sum of squared edges), below `distortion`? Always true when that is 0: remesh every step.
+template <int Dim>
+bool isDistorted(double distortion, const Points<Dim>& x, const std::vector<Simplex<Dim>>& fluid);
 
 struct NodeChanges {
     int removed = 0;
@@ -38,12 +39,12 @@ struct RemeshTask {
 /// (partly covered triangles, removed surface nodes, overlaps), `isolated` (carried by particles without triangles),
 /// `gone`.
 template <int Dim>
-RemeshReport<Dim> remesh(RemeshTask<Dim> task, Triangulator& triangulator, State<Dim>& state);
+RemeshReport<Dim> remesh(RemeshTask<Dim> task, Triangulator<Dim>& triangulator, State<Dim>& state);
 
 /// The same when neither is at hand.
 template <int Dim>
 RemeshReport<Dim> remesh(const RemeshingControls& controls, const std::vector<PatchKind>& kinds, State<Dim>& state) {
-    Triangulator triangulator;
+    Triangulator<Dim> triangulator;
     return remesh<Dim>(
         {controls, kinds, makeTopology<Dim>(state.mesh, kinds, state.nodes.x, state.nodes.wall), state.time.deltaT},
         triangulator, state);

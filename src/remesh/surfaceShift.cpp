@@ -39,7 +39,8 @@ Vec<Dim> outwardArea(const Topology<Dim>& topology, const std::vector<Simplex<Di
 /// surface hardly changes the volume of patches; what nodes lack in turns would only make it grow.
 template <int Dim>
 std::vector<double> sharedAlongSurface(const Topology<Dim>& topology, const std::vector<double>& lost) {
-    constexpr double share = 0.25;  // to each of two neighbours (2D): zig-zags vanish
+    // of each face to each of its nodes: half of all to two neighbours (2D), or to six by two faces each (3D)
+    constexpr double share = Dim == 2 ? 0.25 : 1.0 / 24;
     std::vector<double> shared = lost;
     for (const auto& face : topology.faces) {
         if (face.kind != FaceKind::freeSurface) continue;
@@ -62,7 +63,7 @@ Vec<Dim> shift(double lost, const Vec<Dim>& area, double limit) {
 template <int Dim>
 void holdBack(const NodeToCells& around, const std::vector<Simplex<Dim>>& cells, const std::vector<int>& surface,
               const Nodes<Dim>& nodes, Points<Dim>& shifted) {
-    constexpr double small = 0.1;  // of h^Dim; a regular triangle has 0.43
+    constexpr double small = Dim == 2 ? 0.1 : 0.027;  // of h^Dim; a regular triangle has 0.43, a tetrahedron 0.118
     const Points<Dim>& x = nodes.x;
     for (bool again = true; again;) {
         again = false;
@@ -101,7 +102,10 @@ void shiftSurface(const RemeshingControls& controls, const Topology<Dim>& topolo
     nodes.x = std::move(shifted);
 }
 
-template void shiftSurface<2>(const RemeshingControls&, const Topology<2>&, const std::vector<double>&, double,
-                              State<2>&);
+#define PFEM_INSTANTIATE(D)                                                                                         \
+    template void shiftSurface<D>(const RemeshingControls&, const Topology<D>&, const std::vector<double>&, double, \
+                                  State<D>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -78,7 +78,7 @@ Motion<Dim> move(const Problem<Dim>& problem, const Problem<Dim>& within, const 
 }  // namespace
 
 template <int Dim>
-State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, Triangulator& triangulator,
+State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, Triangulator<Dim>& triangulator,
                    const State<Dim>& last, AdvanceReport& report) {
     const double t = last.time.value;
     const auto problem = problemAt<Dim>(t + report.dt, problemOfRun),
@@ -109,6 +109,10 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
     return state;
 }
 
-template State<2> attempt<2>(const Problem<2>&, const Controls&, Triangulator&, const State<2>&, AdvanceReport&);
+
+#define PFEM_INSTANTIATE(D) \
+    template State<D> attempt<D>(const Problem<D>&, const Controls&, Triangulator<D>&, const State<D>&, AdvanceReport&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -21,7 +21,7 @@ struct AdvanceReport {
 /// obeys solver/invariants.hpp. Throws FailedStep (or another StepFailure) when it cannot be accepted.
 /// `triangulator`: keeps the triangulation for the next step, which gives the same as one from nothing.
 template <int Dim>
-State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, Triangulator& triangulator,
+State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, Triangulator<Dim>& triangulator,
                    const State<Dim>& last, AdvanceReport& report);
 
 }  // namespace pfem

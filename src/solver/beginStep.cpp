@@ -47,5 +47,6 @@ Topology<Dim> beginStep(const Problem<Dim>& problem, State<Dim>& state) {
                                                    const Topology<D>&);                                \
     template Topology<D> beginStep<D>(const Problem<D>&, State<D>&);
 PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -203,11 +203,15 @@ void checkLaws(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const Integra
         }
 }
 
-template void checkLaws<2>(const Problem<2>&, const Mesh<2>&, const IntegrationControls&);
-template std::vector<std::string> doubts<2>(const Dictionary&, const Dictionary&, const Dictionary&, const Problem<2>&,
-                                            const State<2>&);
-template void checkState<2>(const std::filesystem::path&, const State<2>&);
-template void checkOneFluid<2>(const Dictionary&, const Mesh<2>&);
-template void checkConditions<2>(const Dictionary&, const BoundaryConditions<2>&, const State<2>&);
+
+#define PFEM_INSTANTIATE(D) \
+    template void checkLaws<D>(const Problem<D>&, const Mesh<D>&, const IntegrationControls&); \
+    template std::vector<std::string> doubts<D>(const Dictionary&, const Dictionary&, const Dictionary&, const Problem<D>&, \
+        const State<D>&); \
+    template void checkState<D>(const std::filesystem::path&, const State<D>&); \
+    template void checkOneFluid<D>(const Dictionary&, const Mesh<D>&); \
+    template void checkConditions<D>(const Dictionary&, const BoundaryConditions<D>&, const State<D>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -62,7 +62,10 @@ Nodes<Dim> consistentStart(Problem<Dim> problem, const Controls& asGiven, const 
     return start;
 }
 
-template Nodes<2> consistentStart<2>(Problem<2>, const Controls&, const State<2>&, const Topology<2>&,
-                                     const ConstraintsOver<2>&, double);
+#define PFEM_INSTANTIATE(D)                                                                                \
+    template Nodes<D> consistentStart<D>(Problem<D>, const Controls&, const State<D>&, const Topology<D>&, \
+                                         const ConstraintsOver<D>&, double);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -53,6 +53,8 @@ std::vector<double> ContinuityEquation<Dim>::solve(const std::vector<double>& re
     return dp;
 }
 
-template class ContinuityEquation<2>;
+#define PFEM_INSTANTIATE(D) template class ContinuityEquation<D>;
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

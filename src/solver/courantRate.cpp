@@ -64,5 +64,6 @@ CourantRate courantRate(const State<Dim>& state) {
     template CourantRate courantRate<D>(const State<D>&); \
     template double closingRate<D>(const Nodes<D>&, const std::vector<Simplex<D>>&, double);
 PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -37,7 +37,10 @@ std::string writeFailed(const std::filesystem::path& root, const Problem<Dim>& p
     return found.text;
 }
 
-template std::string writeFailed<2>(const std::filesystem::path&, const Problem<2>&, const FailedStep<2>&,
-                                    const State<2>&);
+#define PFEM_INSTANTIATE(D)                                                                                    \
+    template std::string writeFailed<D>(const std::filesystem::path&, const Problem<D>&, const FailedStep<D>&, \
+                                        const State<D>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -102,8 +102,11 @@ Inspection<Dim> inspect(const FailedStep<Dim>& failure, const State<Dim>& last) 
     return result;
 }
 
-template State<2> withNodesOf<2>(State<2>, const Nodes<2>&);
-template std::string placeText<2>(const Vec<2>&);
-template Inspection<2> inspect<2>(const FailedStep<2>&, const State<2>&);
+#define PFEM_INSTANTIATE(D)                                      \
+    template State<D> withNodesOf<D>(State<D>, const Nodes<D>&); \
+    template std::string placeText<D>(const Vec<D>&);            \
+    template Inspection<D> inspect<D>(const FailedStep<D>&, const State<D>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

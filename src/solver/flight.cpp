@@ -37,6 +37,8 @@ double strikingRate(const State<Dim>& state, const std::vector<unsigned char>& d
     return 1 / soonest;
 }
 
-template double strikingRate<2>(const State<2>&, const std::vector<unsigned char>&, int);
+#define PFEM_INSTANTIATE(D) template double strikingRate<D>(const State<D>&, const std::vector<unsigned char>&, int);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

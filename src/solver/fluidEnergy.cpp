@@ -57,8 +57,11 @@ double volumeEnergy(const Problem<Dim>& problem, const Cells<Dim>& cells, const 
     return sum;
 }
 
-template StoredEnergy fluidEnergy<2>(const Problem<2>&, const State<2>&);
-template double volumeEnergy<2>(const Problem<2>&, const Cells<2>&, const Nodes<2>&, const Nodes<2>&,
-                                const std::vector<double>&);
+#define PFEM_INSTANTIATE(D)                                                                               \
+    template StoredEnergy fluidEnergy<D>(const Problem<D>&, const State<D>&);                             \
+    template double volumeEnergy<D>(const Problem<D>&, const Cells<D>&, const Nodes<D>&, const Nodes<D>&, \
+                                    const std::vector<double>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

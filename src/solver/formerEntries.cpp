@@ -43,6 +43,8 @@ std::string applyStressUpdate(const Dictionary& pfemSolution, Problem<Dim>& prob
         at.file, at.line, neoHookean ? "neoHookean" : "hypoelasticPaper", names);
 }
 
-template std::string applyStressUpdate<2>(const Dictionary&, Problem<2>&);
+#define PFEM_INSTANTIATE(D) template std::string applyStressUpdate<D>(const Dictionary&, Problem<D>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -69,6 +69,8 @@ StepResult<Dim> fsiStep(const Step<Dim>& step, const Controls& controls) {
     }
 }
 
-template StepResult<2> fsiStep<2>(const Step<2>&, const Controls&);
+#define PFEM_INSTANTIATE(D) template StepResult<D> fsiStep<D>(const Step<D>&, const Controls&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -136,6 +136,8 @@ void strike(const Problem<Dim>& problem, const std::vector<Simplex<Dim>>& contac
     if (fastestOf<Dim>(struck, nodes.v) > limit * (1 + 1e-12)) nodes.v = held;
 }
 
-template void strike<2>(const Problem<2>&, const std::vector<Simplex<2>>&, State<2>&);
+#define PFEM_INSTANTIATE(D) template void strike<D>(const Problem<D>&, const std::vector<Simplex<D>>&, State<D>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

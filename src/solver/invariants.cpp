@@ -1,6 +1,7 @@
 #include "solver/invariants.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <limits>
@@ -9,6 +10,7 @@
 #include "mesh/simplex.hpp"
 #include "solver/failedStep.hpp"
 #include "state/volume.hpp"
+#include "walls/onFace.hpp"
 
 namespace pfem {
 
@@ -33,33 +35,36 @@ void checkCells(const char* kind, const Nodes<Dim>& nodes, const std::vector<Sim
     const int nCells = static_cast<int>(cells.size());
     const int found = parallelFirst(nCells, [&](int e) {
         const double h = nodes.h[cells[e][0]];
-        return !(simplexMeasure<Dim>(nodes.x, cells[e]) > -1e-9 * h * h);  // flat ones are harmless
+        return !(simplexMeasure<Dim>(nodes.x, cells[e]) > -1e-9 * std::pow(h, Dim));  // flat ones are harmless
     });
     if (found == nCells) return;
     const auto& cell = cells[found];
     throw StepFailure(
-        fmt::format("{} element with the nodes {} {} {} inverted at {}", kind, nodes.id[cell[0]], nodes.id[cell[1]],
-                    nodes.id[cell[2]], placeText<Dim>(simplexCentroid<Dim>(nodes.x, cell))),
+        fmt::format("{} element with the nodes {} inverted at {}", kind, fmt::join(idsOf<Dim>(nodes, cell), " "),
+                    placeText<Dim>(simplexCentroid<Dim>(nodes.x, cell))),
         idsOf<Dim>(nodes, cell));
 }
 
 /// Did a point pass through a face from its front (left) to its back while both moved? From where it would have landed
 /// (1e-9 h) to more than `slack` behind, and within the face on the way; one that stood on the face (and slides over
 /// its end) where it arrived.
-bool crossed(const Face<2>& face, const Points<2>& faceOld, const Points<2>& faceNew, const Vec<2>& xOld,
-             const Vec<2>& xNew, double slack) {
-    const auto distance = [&](const Points<2>& x, const Vec<2>& point) {
-        return -faceArea<2>(x, face).normalized().dot(point - x[face[0]]);
+template <int Dim>
+bool crossed(const Face<Dim>& face, const Points<Dim>& faceOld, const Points<Dim>& faceNew, const Vec<Dim>& xOld,
+             const Vec<Dim>& xNew, double slack) {
+    const auto distance = [&](const Points<Dim>& x, const Vec<Dim>& point) {
+        return -faceArea<Dim>(x, face).normalized().dot(point - x[face[0]]);
     };
     const double before = distance(faceOld, xOld), after = distance(faceNew, xNew);
     if (!(before > -1e-7 * slack && after < -slack))
         return false;  // what came round an end was behind it, and did not land
     const double part = before > slack ? before / (before - after) : 1;  // of the way
-    const Vec<2> place = xOld + part * (xNew - xOld);
-    const Vec<2> a = faceOld[face[0]] + part * (faceNew[face[0]] - faceOld[face[0]]);
-    const Vec<2> b = faceOld[face[1]] + part * (faceNew[face[1]] - faceOld[face[1]]);
-    const double s = (place - a).dot(b - a) / (b - a).squaredNorm();
-    return s > 0 && s < 1;
+    Points<Dim> then(Dim);
+    Face<Dim> all{};
+    for (int k = 0; k < Dim; ++k) {
+        all[k] = k;
+        then[k] = faceOld[face[k]] + part * (faceNew[face[k]] - faceOld[face[k]]);
+    }
+    return footWeights<Dim>(then, all, xOld + part * (xNew - xOld)).minCoeff() > 0;
 }
 
 /// Old positions of the nodes of `next` that exist in `last`; of the others, the new ones.
@@ -74,9 +79,10 @@ Points<Dim> oldPositions(const Nodes<Dim>& last, const Nodes<Dim>& next) {
 }
 
 /// Nodes that went through rigid walls. Faces of patches keep their corners, with other indices in `next`.
-void checkWalls(const Topology<2>& topology, const Points<2>& xOld, const State<2>& next) {
-    const auto held = keptNodes<2>(next.mesh, next.nodes.size());  // solids and corners go their own ways
-    std::vector<std::pair<Face<2>, const std::string*>> walls;     // and the names of their patches
+template <int Dim>
+void checkWalls(const Topology<Dim>& topology, const Points<Dim>& xOld, const State<Dim>& next) {
+    const auto held = keptNodes<Dim>(next.mesh, next.nodes.size());  // solids and corners go their own ways
+    std::vector<std::pair<Face<Dim>, const std::string*>> walls;     // and the names of their patches
     std::size_t w = 0;
     for (const auto& patch : next.mesh.patches)
         for (const auto& face : patch.faces)
@@ -85,17 +91,18 @@ void checkWalls(const Topology<2>& topology, const Points<2>& xOld, const State<
     parallelFor(next.nodes.size(), [&](int i) {
         if (isSupported(next.nodes.wall[i]) || held[i]) return;
         for (const auto& [face, name] : walls)
-            if (crossed(face, xOld, next.nodes.x, xOld[i], next.nodes.x[i], 0.01 * next.nodes.h[i])) through[i] = name;
+            if (crossed<Dim>(face, xOld, next.nodes.x, xOld[i], next.nodes.x[i], 0.01 * next.nodes.h[i])) through[i] = name;
     });
     for (int i = 0; i < next.nodes.size(); ++i)
-        if (through[i] != nullptr) fail<2>(next.nodes, i, "went through the wall '" + *through[i] + "'");
+        if (through[i] != nullptr) fail<Dim>(next.nodes, i, "went through the wall '" + *through[i] + "'");
 }
 
 /// Nodes that went through a solid. Only one that moves farther than half of the solid's mesh size can do so unseen:
 /// what is inside a solid after a step has been put out again on the nearer side.
-void checkSolids(const Points<2>& xOld, const State<2>& next) {
+template <int Dim>
+void checkSolids(const Points<Dim>& xOld, const State<Dim>& next) {
     if (next.mesh.solid.nodes.empty()) return;
-    const Nodes<2>& nodes = next.nodes;
+    const Nodes<Dim>& nodes = next.nodes;
     std::vector<unsigned char> onSolid(nodes.id.size(), 0);
     double h = std::numeric_limits<double>::max(), solidMotion = 0;
     for (const auto& cell : next.mesh.solid.nodes)
@@ -104,30 +111,33 @@ void checkSolids(const Points<2>& xOld, const State<2>& next) {
             h = std::min(h, nodes.h[i]);
             solidMotion = std::max(solidMotion, (nodes.x[i] - xOld[i]).norm());
         }
-    std::vector<Face<2>> faces;
+    std::vector<Face<Dim>> faces;
     for (int i = 0; i < nodes.size(); ++i) {
         if (onSolid[i] || (nodes.x[i] - xOld[i]).norm() + solidMotion < 0.5 * h) continue;
         if (faces.empty())
             for (const auto& face :
-                 boundaryFaces<2>(next.mesh.solid.nodes, nodeToCells<2>(next.mesh.solid.nodes, nodes.size())))
-                faces.push_back({face.nodes[1], face.nodes[0]});  // the fluid's side is the front
+                 boundaryFaces<Dim>(next.mesh.solid.nodes, nodeToCells<Dim>(next.mesh.solid.nodes, nodes.size())))
+{
+                faces.push_back(face.nodes);  // the fluid's side is the front
+                std::swap(faces.back()[0], faces.back()[1]);
+            }
         for (const auto& face : faces)
-            if (crossed(face, xOld, nodes.x, xOld[i], nodes.x[i], 0.01 * h)) fail<2>(nodes, i, "went through a solid");
+            if (crossed<Dim>(face, xOld, nodes.x, xOld[i], nodes.x[i], 0.01 * h)) fail<Dim>(nodes, i, "went through a solid");
     }
 }
 
 }  // namespace
 
-template <>
-void checkInvariants<2>(const ConvergenceControls& controls, const Topology<2>& topology, const State<2>& last,
-                        const State<2>& next) {
-    checkFinite<2>(next.nodes);
-    checkCells<2>("solid", next.nodes, next.mesh.solid.nodes);
-    checkCells<2>("fluid", next.nodes, next.mesh.fluid.nodes);
-    const Points<2> xOld = oldPositions<2>(last.nodes, next.nodes);
-    checkWalls(topology, xOld, next);
-    checkSolids(xOld, next);
-    const double before = totalVolume<2>(last), after = totalVolume<2>(next) - next.ledger.sum(CauseKind::passage) +
+template <int Dim>
+void checkInvariants(const ConvergenceControls& controls, const Topology<Dim>& topology, const State<Dim>& last,
+                        const State<Dim>& next) {
+    checkFinite<Dim>(next.nodes);
+    checkCells<Dim>("solid", next.nodes, next.mesh.solid.nodes);
+    checkCells<Dim>("fluid", next.nodes, next.mesh.fluid.nodes);
+    const Points<Dim> xOld = oldPositions<Dim>(last.nodes, next.nodes);
+    checkWalls<Dim>(topology, xOld, next);
+    checkSolids<Dim>(xOld, next);
+    const double before = totalVolume<Dim>(last), after = totalVolume<Dim>(next) - next.ledger.sum(CauseKind::passage) +
                                                         last.ledger.sum(CauseKind::passage);
     if (std::abs(after - before) > controls.maxVolumeChange * before)
         throw StepFailure(fmt::format("the fluid's volume changed from {:.6g} to {:.6g} in one step", before, after));
@@ -163,9 +173,11 @@ void checkSpeedGain(double allowed, const Nodes<Dim>& nodes) {
 }
 
 #define PFEM_INSTANTIATE(D)                                                   \
+    template void checkInvariants<D>(const ConvergenceControls&, const Topology<D>&, const State<D>&, const State<D>&); \
     template void checkSpeed<D>(const ConvergenceControls&, const Nodes<D>&); \
     template double allowedSpeed<D>(const Topology<D>&, const Nodes<D>&);     \
     template void checkSpeedGain<D>(double, const Nodes<D>&);
 PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

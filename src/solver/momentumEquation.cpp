@@ -57,6 +57,8 @@ Points<Dim> MomentumEquation<Dim>::solve(const Points<Dim>& residual) {
     return dv;
 }
 
-template class MomentumEquation<2>;
+#define PFEM_INSTANTIATE(D) template class MomentumEquation<D>;
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

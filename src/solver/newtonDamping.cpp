@@ -18,6 +18,8 @@ double NewtonDamping<Dim>::next(const Points<Dim>& step) {
     return part_;
 }
 
-template class NewtonDamping<2>;
+#define PFEM_INSTANTIATE(D) template class NewtonDamping<D>;
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -65,6 +65,10 @@ AdvanceReport Recorder<Dim>::step(double dt) {
     }
 }
 
-template class Recorder<2>;
+
+#define PFEM_INSTANTIATE(D) \
+    template class Recorder<D>;
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -76,7 +76,7 @@ void reconnect(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutco
     const auto& kinds = c.problem.conditions.kind;
     const bool sameWalls = c.motion.wallsOld == state.nodes.wall;
     if (sameWalls && outcome.returned == 0 &&
-        !isDistorted(c.controls.distortion, state.nodes.x, state.mesh.fluid.nodes))
+        !isDistorted<Dim>(c.controls.distortion, state.nodes.x, state.mesh.fluid.nodes))
         return;
     auto topology = sameWalls ? c.motion.topology
                               : withWalls<Dim>(state.mesh, kinds, state.nodes.x, state.nodes.wall, c.motion.topology);
@@ -141,5 +141,6 @@ RemeshingOutcome<Dim> runRules(const std::vector<RemeshingRule<Dim>>& rules, con
     template RemeshingOutcome<D> runRules<D>(const std::vector<RemeshingRule<D>>&, const RemeshingContext<D>&, \
                                              State<D>&);
 PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -29,7 +29,7 @@ struct RemeshingContext {
     const Problem<Dim>& problem;  // that of the step's end
     const RemeshingControls& controls;
     const Motion<Dim>& motion;
-    Triangulator& triangulator;  // has the triangulation of the step before, or none
+    Triangulator<Dim>& triangulator;  // has the triangulation of the step before, or none
 };
 
 /// What rules tell those after them, and the log.

@@ -47,8 +47,11 @@ double pressureScale(const Step<Dim>& step, const FluidPhase<Dim>& fluid, double
            viscousStressScale<Dim>(fluid, step.old.v);
 }
 
-template double meanSize<2>(const Nodes<2>&);
-template double unseenSpeed<2>(const Step<2>&);
-template double pressureScale<2>(const Step<2>&, const FluidPhase<2>&, double);
+#define PFEM_INSTANTIATE(D)                         \
+    template double meanSize<D>(const Nodes<D>&);   \
+    template double unseenSpeed<D>(const Step<D>&); \
+    template double pressureScale<D>(const Step<D>&, const FluidPhase<D>&, double);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

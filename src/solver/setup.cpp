@@ -99,6 +99,10 @@ Controls readControls(const Case& theCase, std::ostream* warnings) {
     return controls;
 }
 
-template Problem<2> readProblem<2>(const Case&, const State<2>&, std::ostream*);
+
+#define PFEM_INSTANTIATE(D) \
+    template Problem<D> readProblem<D>(const Case&, const State<D>&, std::ostream*);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -35,6 +35,10 @@ AdvanceReport Simulation<Dim>::step(double dt) {
     }
 }
 
-template struct Simulation<2>;
+
+#define PFEM_INSTANTIATE(D) \
+    template struct Simulation<D>;
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

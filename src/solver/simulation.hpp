@@ -20,7 +20,7 @@ struct Simulation {
     Controls controls;
     State<Dim> state;
     NextTime nextTime = plainNextTime;
-    Triangulator triangulator = {};  // of the last step; a copy begins from nothing, which gives the same
+    Triangulator<Dim> triangulator = {};  // of the last step; a copy begins from nothing, which gives the same
 
     /// p and a at the very start of a run that agree with the forces, and v that is free of divergence; dt: of the step
     /// to come. Throws FailedStep where they cannot be found.

@@ -59,5 +59,6 @@ StepFailure notConverged(const StepReport& report, const std::vector<double>& dp
     template StepFailure notConverged<D>(const StepReport&, const std::vector<double>&, const Nodes<D>&, \
                                          const SmoothingDomains<D>&);
 PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

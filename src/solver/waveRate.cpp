@@ -37,7 +37,10 @@ double elasticWaveRate(const Problem<Dim>& problem, const State<Dim>& state) {
     return rate;
 }
 
-template double gravityWaveRate<2>(const Problem<2>&, const State<2>&);
-template double elasticWaveRate<2>(const Problem<2>&, const State<2>&);
+#define PFEM_INSTANTIATE(D)                                                 \
+    template double gravityWaveRate<D>(const Problem<D>&, const State<D>&); \
+    template double elasticWaveRate<D>(const Problem<D>&, const State<D>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -3,56 +3,63 @@
 #include <cmath>
 
 #include "state/unseenPart.hpp"
-#include "walls/wallLine.hpp"
+#include "walls/onFace.hpp"
 
 namespace pfem {
 
 namespace {
 
 /// Where a node hangs at walls: the wall's velocity and the mean normal of all that hold it.
+template <int Dim>
 struct Grip {
-    Vec<2> velocity = Vec<2>::Zero(), inward = Vec<2>::Zero();
+    Vec<Dim> velocity = Vec<Dim>::Zero(), inward = Vec<Dim>::Zero();
 
-    Grip(const Topology<2>& topology, const Nodes<2>& nodes, int i) {
+    Grip(const Topology<Dim>& topology, const Nodes<Dim>& nodes, int i) {
         const int count = nSupports(nodes.wall[i]);
         for (int k = 0; k < count; ++k) {
-            const Face<2>& face = topology.walls[nodes.wall[i][k]].nodes;
-            const WallLine line(nodes.x, face);
-            velocity += line.between(line.along(nodes.x[i]), nodes.v, face) / count;
-            inward += line.inward;
+            const Face<Dim>& face = topology.walls[nodes.wall[i][k]].nodes;
+            velocity += onFace<Dim>(nodes.x, face, nodes.x[i], nodes.v) / count;
+            inward += inwardNormal<Dim>(nodes.x, face);
         }
         inward.normalize();
     }
 };
 
 /// A drop leaves walls from which gravity pulls it; what the walls' acceleration is, is the normal part of a.
-void letDropFall(const Topology<2>& topology, const Vec<2>& gravity, int i, Nodes<2>& nodes) {
-    for (const int wall : Supports<2>(nodes.wall[i]))
+template <int Dim>
+void letDropFall(const Topology<Dim>& topology, const Vec<Dim>& gravity, int i, Nodes<Dim>& nodes) {
+    for (const int wall : Supports<Dim>(nodes.wall[i]))
         if (wall >= 0 &&
-            (gravity - nodes.a[i]).dot(inwardNormal<2>(nodes.x, topology.walls[wall].nodes)) > 1e-9 * gravity.norm())
+            (gravity - nodes.a[i]).dot(inwardNormal<Dim>(nodes.x, topology.walls[wall].nodes)) > 1e-9 * gravity.norm())
             dropSupport(nodes.wall[i], wall);
 }
 
 }  // namespace
 
-template <>
-void releaseFromWalls<2>(const WallControls& controls, const Topology<2>& topology, const Vec<2>& gravity,
-                         const ViscousFluid& fluid, double dt, Nodes<2>& nodes) {
+template <int Dim>
+void releaseFromWalls(const WallControls& controls, const Topology<Dim>& topology, const Vec<Dim>& gravity,
+                      const ViscousFluid& fluid, double dt, Nodes<Dim>& nodes) {
     for (int i = 0; i < nodes.size(); ++i) {
         if (!topology.onWall[i]) continue;
-        const Grip grip(topology, nodes, i);
-        const Vec<2> slip = nodes.v[i] - grip.velocity;
+        const Grip<Dim> grip(topology, nodes, i);
+        const Vec<Dim> slip = nodes.v[i] - grip.velocity;
         const double rate = slip.norm() / nodes.h[i];
         const double scale = fluid.rho * (gravity.norm() * nodes.h[i] + 0.5 * slip.squaredNorm() +
                                           unseenPart * std::pow(nodes.h[i] / dt, 2)) +
                              fluid.law->viscosity(rate, nodes.p[i]) * rate;
-        if (topology.isolated(i)) letDropFall(topology, gravity, i, nodes);
+        if (topology.isolated(i)) letDropFall<Dim>(topology, gravity, i, nodes);
         const bool pulledOff = topology.freeSurface[i] && -nodes.p[i] > controls.wallTension * scale;
-        if (pulledOff) nodes.wall[i] = unsupported<2>();
+        if (pulledOff) nodes.wall[i] = unsupported<Dim>();
         if (isSupported(nodes.wall[i])) continue;
         nodes.p[i] = 0;
         nodes.x[i] += 1e-3 * nodes.h[i] * grip.inward;
     }
 }
+
+#define PFEM_INSTANTIATE(D)                                                                        \
+    template void releaseFromWalls<D>(const WallControls&, const Topology<D>&, const Vec<D>&,      \
+                                      const ViscousFluid&, double, Nodes<D>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -1,0 +1,96 @@
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_cell_base_with_info_3.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "base/parallel.hpp"
+#include "remesh/delaunay.hpp"
+
+namespace pfem {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<int, Kernel>;
+using CellBase =
+    CGAL::Triangulation_cell_base_with_info_3<int, Kernel, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
+using Delaunay = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
+
+/// A tetrahedron with its nodes in an even order, the smallest first, then the next smallest.
+struct Turned {
+    Delaunay::Cell_handle cell;
+    std::array<int, 4> local{};  // numbers in the cell
+    Simplex<3> nodes{};
+};
+
+Turned turned(Delaunay::Cell_handle cell) {
+    Turned t{cell, {0, 1, 2, 3}, {}};
+    const auto node = [&](int k) { return cell->vertex(t.local[k])->info(); };
+    const auto smallest = [&](int from) {
+        int best = from;
+        for (int k = from + 1; k < 4; ++k)
+            if (node(k) < node(best)) best = k;
+        return best;
+    };
+    if (const int k = smallest(0); k > 0) {  // two swaps: the orientation stays
+        std::swap(t.local[0], t.local[k]);
+        std::swap(t.local[k == 1 ? 2 : 1], t.local[3 - (k == 3 ? 1 : 0)]);
+    }
+    const int k = smallest(1);  // turn the other three
+    std::rotate(t.local.begin() + 1, t.local.begin() + k, t.local.end());
+    for (int i = 0; i < 4; ++i) t.nodes[i] = node(i);
+    return t;
+}
+
+std::vector<Turned> sortedCells(const Delaunay& triangulation) {
+    std::vector<Turned> cells;
+    for (const auto cell : triangulation.finite_cell_handles()) cells.push_back({cell});
+    parallelFor(static_cast<int>(cells.size()), [&](int e) { cells[e] = turned(cells[e].cell); });
+    std::sort(cells.begin(), cells.end(), [](const Turned& a, const Turned& b) { return a.nodes < b.nodes; });
+    return cells;
+}
+
+}  // namespace
+
+template <>
+struct Triangulator<3>::Kept {
+    Triangulation<3> last;
+};
+
+template <>
+Triangulator<3>::Triangulator() : kept_(std::make_unique<Kept>()) {}
+template <>
+Triangulator<3>::~Triangulator() = default;
+template <>
+Triangulator<3>::Triangulator(Triangulator&&) noexcept = default;
+template <>
+Triangulator<3>& Triangulator<3>::operator=(Triangulator&&) noexcept = default;
+
+template <>
+void Triangulator<3>::follow(const Points<3>& points, const std::vector<Id>&, const std::vector<int>& active,
+                             const std::vector<Face<3>>&, const std::vector<Face<3>>&) {
+    std::vector<std::pair<Kernel::Point_3, int>> input;
+    for (const int i : active) input.push_back({{points[i][0], points[i][1], points[i][2]}, i});
+    const Delaunay triangulation(input.begin(), input.end());
+    Triangulation<3>& result = kept_->last = {};
+    if (triangulation.dimension() < 3) return;
+    const auto cells = sortedCells(triangulation);
+    for (const auto cell : triangulation.all_cell_handles()) cell->info() = -1;
+    for (std::size_t e = 0; e < cells.size(); ++e) cells[e].cell->info() = static_cast<int>(e);
+    result.cells.resize(cells.size());
+    result.neighbours.resize(cells.size());
+    parallelFor(static_cast<int>(cells.size()), [&](int e) {
+        result.cells[e] = cells[e].nodes;
+        for (int k = 0; k < 4; ++k) result.neighbours[e][k] = cells[e].cell->neighbor(cells[e].local[k])->info();
+    });
+}
+
+template <>
+Triangulation<3> Triangulator<3>::triangulation(int) const {
+    return kept_->last;
+}
+
+}  // namespace pfem
