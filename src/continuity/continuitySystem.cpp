@@ -142,7 +142,7 @@ void addCells(const Parts<Dim>& parts, SymmetricMatrix& A) {
                 const int e = around.cell[s], k = around.corner[s];
                 const ViscousFluid& fluid = parts.step.problem.fluid(cells.material[e]);
                 const auto& g = parts.phase.domains.element[e];
-                const double tauE = parts.stabilisation.tau[e], schur = dt / fluid.rho;
+                const double tauE = parts.stabilisation.tau[e], schur = sliverFactor<Dim>(g) * dt / fluid.rho;
                 const double unprojected = tauE + parts.controls.schurScale * schur;
                 const double laplacian = parts.stabilisation.projected[e] ? std::max(unprojected, schur) : unprojected;
                 const double share = g.measure / (Dim + 1);

@@ -20,7 +20,8 @@ std::vector<double> stabilisation(const Problem<Dim>& problem, const Cells<Dim>&
             Dim == 2 ? std::sqrt(2 * domains.element[e].measure) : std::cbrt(6 * domains.element[e].measure);
         Vec<Dim> mean = Vec<Dim>::Zero();
         for (int node : cells.nodes[e]) mean += v[node] / (Dim + 1);
-        tau[e] = 1 / (8 * mu[e] / (h * h) + fluid.rho / dt + fluid.rho * mean.norm() / h);
+        tau[e] = sliverFactor<Dim>(domains.element[e]) /
+                 (8 * mu[e] / (h * h) + fluid.rho / dt + fluid.rho * mean.norm() / h);
     }
     return tau;
 }

@@ -3,6 +3,8 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
 
 #include "base/types.hpp"
 
@@ -48,6 +50,26 @@ SimplexGeometry<Dim> simplexGeometry(const Points<Dim>& x, const Simplex<Dim>& s
     return g;
 }
 
+/// Part of terms with |e| |grad N|^2 that a cell keeps: 1, but for slivers of tetrahedra, whose nodes lie nearly in a
+/// plane though none is near another: with Q = |e|^(2/3) max |grad N|^2 (regular: 0.36) (4/Q)^(3/2) above Q = 4, so
+/// that such terms vanish with the height instead of growing with its inverse. 2D: 1.
+template <int Dim>
+double sliverFactor(const SimplexGeometry<Dim>& g) {
+    if constexpr (Dim == 2) return 1;
+    double steepest = 0;
+    for (const auto& gradN : g.gradN) steepest = std::max(steepest, gradN.squaredNorm());
+    const double volume = std::abs(g.measure), q = std::cbrt(volume * volume) * steepest;
+    return q > 4 ? std::pow(4 / q, 1.5) : 1;
+}
+
+/// Is the simplex such a sliver?
+template <int Dim>
+bool isSliver(const Points<Dim>& x, const Simplex<Dim>& s) {
+    if constexpr (Dim == 2) return false;
+    const auto g = simplexGeometry<Dim>(x, s);
+    return g.measure <= 0 || sliverFactor<Dim>(g) < 1;
+}
+
 /// div v = sum_k v_k . grad N_k of the velocities at its nodes: the rate of its measure, (d|measure|/dt)/|measure|
 /// [1/s].
 template <int Dim>
@@ -84,8 +106,8 @@ Vec<Dim> simplexCentroid(const Points<Dim>& x, const Simplex<Dim>& s) {
     return c / (Dim + 1);
 }
 
-/// Circumradius; infinite for a flat simplex. 2D: R = abc / (4 |A|); 3D: R = |a^2 (b x c) + b^2 (c x a) + c^2 (a x b)| /
-/// (12 |V|) with the edges a, b, c from one node.
+/// Circumradius; infinite for a flat simplex. 2D: R = abc / (4 |A|); 3D: R = |a^2 (b x c) + b^2 (c x a) + c^2 (a x b)|
+/// / (12 |V|) with the edges a, b, c from one node.
 template <int Dim>
 double circumradius(const Points<Dim>& x, const Simplex<Dim>& s);
 

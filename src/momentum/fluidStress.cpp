@@ -100,7 +100,7 @@ Points<Dim> zigzagForce(const Problem<Dim>& problem, const Cells<Dim>& cells, co
         const double size = cellMean<Dim>(domains, h, e);
         const double mu = damping * problem.fluid(cells.material[e]).rho * size * std::sqrt(g * size);
         const Tensor<Dim> zigzag = L[e] - mean[e];
-        L[e] = mu * (zigzag + zigzag.transpose());
+        L[e] = sliverFactor<Dim>(domains.element[e]) * mu * (zigzag + zigzag.transpose());
     });
     addInternalForce<Dim>(domains, L, force);
     return force;

@@ -24,14 +24,16 @@ template <int Dim>
 Supports<Dim> supportsOf(const Topology<Dim>& topology, std::array<int, 2> edge) {
     Supports<Dim> supports = unsupported<Dim>();
     for (const auto& face : topology.faces) {
-        if (face.kind != FaceKind::wall) continue;
+        if (face.kind != FaceKind::wall || commonWall(topology, face.nodes) < 0) continue;
         const auto has = [&](int node) {
             return std::find(face.nodes.begin(), face.nodes.end(), node) != face.nodes.end();
         };
         if (!has(edge[0]) || !has(edge[1])) continue;
         const int wall = commonWall(topology, face.nodes);
-        if (wall >= 0 && std::find(supports.begin(), supports.end(), wall) == supports.end())
-            addSupport(supports, wall);
+        const bool known = std::any_of(supports.begin(), supports.end(), [&](int other) {
+            return other >= 0 && topology.walls[other].region == topology.walls[wall].region;
+        });
+        if (!known) addSupport(supports, wall);
     }
     return supports;
 }
@@ -94,8 +96,8 @@ std::vector<Face<Dim>> surfaceFaces(const RemeshingControls& controls, const Nod
 
 /// What the selection rules ask about the new nodes.
 template <int Dim>
-CandidateNodes<Dim> candidateNodes(const State<Dim>& state, const MovedMesh<Dim>& moved, const std::vector<int>& newIndex,
-                              double dt) {
+CandidateNodes<Dim> candidateNodes(const State<Dim>& state, const MovedMesh<Dim>& moved,
+                                   const std::vector<int>& newIndex, double dt) {
     CandidateNodes<Dim> c;
     c.dt = dt;
     const int n = state.nodes.size();
@@ -216,8 +218,8 @@ RemeshReport<Dim> remesh(RemeshTask<Dim> task, Triangulator<Dim>& triangulator, 
     return report;
 }
 
-#define PFEM_INSTANTIATE(D)                                                                      \
-    template bool isDistorted<D>(double, const Points<D>&, const std::vector<Simplex<D>>&);      \
+#define PFEM_INSTANTIATE(D)                                                                 \
+    template bool isDistorted<D>(double, const Points<D>&, const std::vector<Simplex<D>>&); \
     template RemeshReport<D> remesh<D>(RemeshTask<D>, Triangulator<D>&, State<D>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)

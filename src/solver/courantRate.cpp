@@ -14,6 +14,7 @@ template <int Dim>
 double closingRate(const Nodes<Dim>& nodes, const std::vector<Simplex<Dim>>& simplices, double leastHeight) {
     double largest = 0;
     for (const auto& s : simplices) {
+        if (isSliver<Dim>(nodes.x, s)) continue;
         double area = 0, h = 0;
         for (int k = 0; k <= Dim; ++k) {
             area = std::max(area, faceArea<Dim>(nodes.x, oppositeFace<Dim>(s, k)).norm());
@@ -53,7 +54,8 @@ CourantRate courantRate(const State<Dim>& state) {
                 const double h = std::min(nodes.h[s[a]], nodes.h[s[b]]);
                 squared = std::max(squared, (nodes.v[s[a]] - nodes.v[s[b]]).squaredNorm() / (h * h));
             }
-        compression = std::max(compression, -simplexDivergence<Dim>(nodes.x, nodes.v, s));
+        if (!isSliver<Dim>(nodes.x, s))
+            compression = std::max(compression, -simplexDivergence<Dim>(nodes.x, nodes.v, s));
     }
     rate.compression = std::max(compression, state.approach);
     rate.relative = std::sqrt(squared);

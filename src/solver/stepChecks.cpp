@@ -15,7 +15,8 @@ template <int Dim>
 bool collapses(const FluidPhase<Dim>& phase, const Points<Dim>& x) {
     const SmoothingDomains<Dim>& fluid = phase.domains;
     const auto collapsing = [&](int e) {
-        return simplexMeasure<Dim>(x, fluid.cell(e)) < 0.2 * fluid.element[e].measure;
+        return sliverFactor<Dim>(fluid.element[e]) == 1 &&
+               simplexMeasure<Dim>(x, fluid.cell(e)) < 0.2 * fluid.element[e].measure;
     };
     return parallelFirst(fluid.nCells(), collapsing) < fluid.nCells();
 }
@@ -23,7 +24,7 @@ bool collapses(const FluidPhase<Dim>& phase, const Points<Dim>& x) {
 template <int Dim>
 void checkDomains(const FluidPhase<Dim>& fluidPhase, const SolidPhase<Dim>& solidPhase, const Nodes<Dim>& nodes) {
     const auto& [fluid, solid] = std::tie(fluidPhase.domains, solidPhase.domains);
-    const auto place = [&](const Vec<Dim>& x) { return fmt::format("({:.6g} {:.6g})", x[0], x[1]); };
+    const auto place = [&](const Vec<Dim>& x) { return placeText<Dim>(x); };
     for (int e = 0; e < solid.nCells(); ++e)
         if (!(solid.element[e].measure > 0))
             throw StepFailure("solid element inverted at " + place(simplexCentroid<Dim>(nodes.x, solid.cell(e))),
@@ -48,8 +49,9 @@ StepFailure notConverged(const StepReport& report, const std::vector<double>& dp
     for (int s = around.start[i]; s < around.start[i + 1]; ++s)
         least = std::min(least, fluid.element[around.cell[s]].measure);
     return StepFailure(
-        text + fmt::format("; worst at ({:.6g} {:.6g}), node {} with {} triangles, smallest {:.3g} h^{}", nodes.x[i][0],
-                           nodes.x[i][1], nodes.id[i], around.count(i), least / std::pow(nodes.h[i], Dim), Dim),
+        text + fmt::format("; worst at {}, node {} with {} {}, smallest {:.3g} h^{}", placeText<Dim>(nodes.x[i]),
+                           nodes.id[i], around.count(i), Dim == 2 ? "triangles" : "tetrahedra",
+                           least / std::pow(nodes.h[i], Dim), Dim),
         {nodes.id[i]});
 }
 
