@@ -4,24 +4,13 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "material/hardening.hpp"
 #include "material/hyperelasticLaw.hpp"
+#include "material/j2Law.hpp"
 
 namespace pfem {
 
-class J2FinitePlasticity : public HyperelasticLaw<J2FinitePlasticity> {
+class J2FinitePlasticity : public J2Law<HyperelasticLaw, J2FinitePlasticity> {
 public:
-    IsotropicElasticity elastic;
-    Hardening hardening;
-
-    template <class Visitor>
-    void entries(Visitor& v) {
-        elastic.entries(v);
-        hardening.entries(v);
-    }
-    std::string fault() const { return hardening.fault(); }
-    IsotropicElasticity elasticity() const override { return elastic; }
-
     /// The equivalent plastic strain, and G = (F_p^T F_p)^-1, at first I.
     std::vector<std::string> historyNames() const override {
         return {"plasticStrain", "plasticGxx", "plasticGyy", "plasticGzz", "plasticGxy", "plasticGyz", "plasticGxz"};

@@ -1,23 +1,13 @@
 #pragma once
 // Elastic-plastic solid (von Mises, isotropic hardening) in rates: small elastic strains, any rotation.
 
-#include "material/hardening.hpp"
+#include "material/j2Law.hpp"
 #include "material/rateLaw.hpp"
 
 namespace pfem {
 
-class J2Plasticity : public RateLaw<J2Plasticity> {
+class J2Plasticity : public J2Law<RateLaw, J2Plasticity> {
 public:
-    IsotropicElasticity elastic;
-    Hardening hardening;
-
-    template <class Visitor>
-    void entries(Visitor& v) {
-        elastic.entries(v);
-        hardening.entries(v);
-    }
-    std::string fault() const { return hardening.fault(); }
-    IsotropicElasticity elasticity() const override { return elastic; }
     std::vector<std::string> historyNames() const override { return {"plasticStrain"}; }
 
     /// Radial return: the deviator of the elastic trial is shortened to the yield stress at the step's end.
