@@ -59,16 +59,18 @@ std::vector<unsigned char> projectedCells(const ContinuityControls& controls, co
         for (int s = topology.ring.start[i]; s < topology.ring.start[i + 1]; ++s)
             besideInside[i] |= inside[topology.ring.node[s]];
     });
+    const auto has = [&](int e, const auto& property) {
+        return std::any_of(cells.nodes[e].begin(), cells.nodes[e].end(), property);
+    };
     parallelFor(cells.size(), [&](int e) {
-        bool contactLine = false, beside = false, solid = false;
-        for (int node : cells.nodes[e]) {
-            projected[e] |= inside[node];
-            contactLine |= topology.freeSurface[node] && bounded(node);
-            beside |= besideInside[node];
-            solid |= topology.onSolid[node];
-        }
-        projected[e] |= contactLine && beside;
-        if (solid && !(contactLine && beside && isCalm<Dim>(problem, nodes, cells.nodes[e]))) projected[e] = 0;
+        const bool contactLine = has(e, [&](int i) { return topology.freeSurface[i] && bounded(i); }) &&
+                                 has(e, [&](int i) { return besideInside[i]; });
+        if (has(e, [&](int i) { return topology.onSolid[i]; }))
+            projected[e] = contactLine && isCalm<Dim>(problem, nodes, cells.nodes[e]);
+        else if (contactLine)
+            projected[e] = true;
+        else  // films and tips have no node inside
+            projected[e] = has(e, [&](int i) { return inside[i]; });
     });
     return projected;
 }
