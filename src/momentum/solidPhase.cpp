@@ -5,22 +5,20 @@
 namespace pfem {
 
 template <int Dim>
-SolidPhase<Dim>::SolidPhase(const Problem<Dim>& ofProblem, const SolidControls& withControls, const Mesh<Dim>& mesh,
+SolidPhase<Dim>::SolidPhase(const Problem<Dim>& problem, const SolidControls& controls, const Mesh<Dim>& mesh,
                             const NodeToCells& around, const Nodes<Dim>& nodes, Integration scheme)
-    : problem(ofProblem),
-      controls(withControls),
-      cells(mesh.solid),
-      domains(makeSmoothingDomains<Dim>(cells.nodes, around, nodes.x, scheme)),
+    : solids{problem, controls, mesh.solid},
+      domains(makeSmoothingDomains<Dim>(mesh.solid.nodes, around, nodes.x, scheme)),
       gradients(domains),
-      mass(solidMass<Dim>(problem, cells, nodes.X)),
-      elementStress(storedElementStress<Dim>(solids(), domains, nodes)) {}
+      mass(solidMass<Dim>(problem, mesh.solid, nodes.X)),
+      elementStress(storedElementStress<Dim>(solids, domains, nodes)) {}
 
 template <int Dim>
 void SolidPhase<Dim>::moveTo(const Nodes<Dim>& old, const Nodes<Dim>& end, double dt) {
     updateSmoothingDomains<Dim>(domains, end.x);
-    updateGradientDomains<Dim>(problem, cells, old, end, gradients);
-    stress = solidStress<Dim>(solids(), gradients, old, end, dt);
-    elementStress = solidElementStress<Dim>(solids(), gradients, domains, stress, end);
+    updateGradientDomains<Dim>(solids.problem, solids.cells, old, end, gradients);
+    stress = solidStress<Dim>(solids, gradients, old, end, dt);
+    elementStress = solidElementStress<Dim>(solids, gradients, domains, stress, end);
 }
 
 #define PFEM_INSTANTIATE(D) template struct SolidPhase<D>;

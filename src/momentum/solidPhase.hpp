@@ -9,9 +9,7 @@ namespace pfem {
 /// What the momentum equation needs to know of the solids in one configuration.
 template <int Dim>
 struct SolidPhase {
-    const Problem<Dim>& problem;
-    const SolidControls& controls;
-    const Cells<Dim>& cells;
+    Solids<Dim> solids;
     SmoothingDomains<Dim> domains;           // at the end of the step
     SmoothingDomains<Dim> gradients;         // at the positions that the stress update asks for
     std::vector<double> mass;                // of the nodes, constant
@@ -21,8 +19,6 @@ struct SolidPhase {
     /// As it is stored in `nodes`. The references must outlive the phase.
     SolidPhase(const Problem<Dim>& problem, const SolidControls& controls, const Mesh<Dim>& mesh,
                const NodeToCells& around, const Nodes<Dim>& nodes, Integration scheme);
-
-    Solids<Dim> solids() const { return {problem, controls, cells}; }
 
     /// Domains and stress of the iterate `end`, dt after `old`.
     void moveTo(const Nodes<Dim>& old, const Nodes<Dim>& end, double dt);

@@ -13,7 +13,7 @@ MomentumSystem<Dim> MomentumEquation<Dim>::makeSystem(const Controls& controls) 
     const auto diagonal = inertia();
     SolidBlock<Dim> block;
     block.dofs = solidDofs<Dim>(step_.topology.solid, step_.constraints);
-    block.matrix = solidMatrix<Dim>(solid_.solids(), solid_.domains, block.dofs, diagonal, step_.old.h, step_.midpoint);
+    block.matrix = solidMatrix<Dim>(solid_.solids, solid_.domains, block.dofs, diagonal, step_.old.h, step_.midpoint);
     return MomentumSystem<Dim>(step_, controls.momentum, fluid_, diagonal, std::move(block));
 }
 
