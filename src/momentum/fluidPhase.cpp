@@ -14,6 +14,15 @@ FluidPhase<Dim>::FluidPhase(const Problem<Dim>& ofProblem, const Mesh<Dim>& mesh
       mu(fromPoints<Dim>(domains, viscosity.mu)) {}
 
 template <int Dim>
+void FluidPhase<Dim>::moveTo(const Points<Dim>& x) {
+    follows = waiting == 0;
+    if (follows)
+        updateSmoothingDomains<Dim>(domains, x);
+    else
+        --waiting;
+}
+
+template <int Dim>
 void FluidPhase<Dim>::flow(const Points<Dim>& v) {
     if (newtonian) return;
     viscosity = flowViscosity<Dim>(problem, cells, domains, v, pressure);

@@ -15,13 +15,18 @@ struct FluidPhase {
     bool newtonian;                // does the viscosity not depend on the flow?
     FlowViscosity<Dim> viscosity;  // of the stress points
     std::vector<double> mu;        // of the cells [Pa s]
+    int waiting = 0;               // so many configurations are still passed over
+    bool follows = true;           // are the domains in the configuration that came last?
 
     /// As it is in `nodes`. The references must outlive the phase.
     FluidPhase(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const NodeToCells& around, const Nodes<Dim>& nodes,
                Integration scheme);
 
-    /// The domains at x.
-    void moveTo(const Points<Dim>& x) { updateSmoothingDomains<Dim>(domains, x); }
+    /// The next configuration: the domains go to x, unless they wait.
+    void moveTo(const Points<Dim>& x);
+
+    /// Pass over the next `count` configurations.
+    void wait(int count) { waiting = count; }
 
     /// The viscosity in the flow v, where it depends on it.
     void flow(const Points<Dim>& v);

@@ -36,21 +36,22 @@ StepResult<Dim> iterate(const Step<Dim>& step, const Controls& controls, Trial<D
                             pressureScale<Dim>(step, fluid, controls.convergence.tolP));
     StepReport report;
     std::vector<double> dp;
-    const int waiting = collapses<Dim>(fluid, trial.end.x) ? 2 : 0;  // so many velocities the domains stay at x^n
-    if (waiting == 0) fluid.moveTo(trial.middle.x);
+    if (collapses<Dim>(fluid, trial.end.x)) fluid.wait(2);  // at x^n until there is a second velocity
+    fluid.moveTo(trial.middle.x);
     for (bool converged = false; !converged;) {
-        const int k = report.iterations;
-        if (k == controls.convergence.maxIterations) throw notConverged<Dim>(report, dp, trial.end, fluid.domains);
+        if (report.iterations == controls.convergence.maxIterations)
+            throw notConverged<Dim>(report, dp, trial.end, fluid.domains);
+        const bool followed = fluid.follows;
         solid.moveTo(old, trial.end, step.dt());  // stresses
         fluid.flow(trial.middle.v);
         const auto dv = momentum.solve(momentum.residual(trial, report.finalU));  // R_m, (M + K) dv = -R_m
         changeVelocity<Dim>(step, momentum.part(dv), dv, trial);                  // v, x, a
-        fluid.moveTo(k + 1 < waiting ? old.x : trial.middle.x);                   // domains in the new configuration
-        if (k == waiting) continuity.restart();
-        dp = continuity.solve(continuity.residual(trial), trial);  // R_c, dp
+        fluid.moveTo(trial.middle.x);                                             // domains in the new configuration
+        dp = continuity.solve(continuity.residual(trial), trial);                 // R_c, dp
         setExcess<Dim>(step, continuity.next(trial.excess, dp), trial);
+        if (!followed && fluid.follows) continuity.restart();
 
-        converged = convergence.reached(rms<Dim>(dv), rms<Dim>(trial.end.v), rms(dp), rms(trial.end.p)) && k >= waiting;
+        converged = convergence.reached(rms<Dim>(dv), rms<Dim>(trial.end.v), rms(dp), rms(trial.end.p)) && followed;
         report = convergence.report();
     }
     report.linearIterations = momentum.linearIterations();
