@@ -52,10 +52,13 @@ FlowViscosity<Dim> flowViscosity(const Problem<Dim>& problem, const Cells<Dim>& 
     return result;
 }
 
+namespace {
+
+/// fluidTangentStress() for velocities with these gradients.
 template <int Dim>
-std::vector<Tensor<Dim>> fluidTangentStress(const SmoothingDomains<Dim>& domains, const FlowViscosity<Dim>& viscosity,
-                                            const Points<Dim>& dv, const std::vector<double>& bulk) {
-    auto stress = toPoints<Dim>(domains, elementGradient<Dim>(domains, dv));
+std::vector<Tensor<Dim>> tangentStress(const SmoothingDomains<Dim>& domains, const FlowViscosity<Dim>& viscosity,
+                                       std::vector<Tensor<Dim>> gradient, const std::vector<double>& bulk) {
+    auto stress = toPoints<Dim>(domains, std::move(gradient));
 #pragma omp parallel for schedule(static) if (domains.nCells() > shortLoop)
     for (int p = 0; p < nStressPoints<Dim>(domains); ++p) {
         const Tensor<Dim> L = stress[p];
@@ -70,10 +73,19 @@ std::vector<Tensor<Dim>> fluidTangentStress(const SmoothingDomains<Dim>& domains
     return fromPoints<Dim>(domains, std::move(stress));
 }
 
+}  // namespace
+
 template <int Dim>
-Points<Dim> viscousForce(const SmoothingDomains<Dim>& domains, const std::vector<double>& mu, const Points<Dim>& v) {
+std::vector<Tensor<Dim>> fluidTangentStress(const SmoothingDomains<Dim>& domains, const FlowViscosity<Dim>& viscosity,
+                                            const Points<Dim>& dv, const std::vector<double>& bulk) {
+    return tangentStress<Dim>(domains, viscosity, elementGradient<Dim>(domains, dv), bulk);
+}
+
+template <int Dim>
+Points<Dim> viscousForce(const SmoothingDomains<Dim>& domains, const std::vector<double>& mu,
+                         std::vector<Tensor<Dim>> L) {
     Points<Dim> force(domains.nNodes(), Vec<Dim>::Zero());
-    addInternalForce<Dim>(domains, fluidTangentStress<Dim>(domains, {mu, {}, {}}, v, {}), force);
+    addInternalForce<Dim>(domains, tangentStress<Dim>(domains, {mu, {}, {}}, std::move(L), {}), force);
     return force;
 }
 
@@ -89,13 +101,11 @@ std::vector<double> tangentViscosity(const FlowViscosity<Dim>& viscosity) {
 
 template <int Dim>
 Points<Dim> zigzagForce(const Problem<Dim>& problem, const Cells<Dim>& cells, const SmoothingDomains<Dim>& domains,
-                        double damping, const std::vector<double>& h, const Points<Dim>& v) {
+                        double damping, const std::vector<double>& h, std::vector<Tensor<Dim>> L) {
     Points<Dim> force(domains.nNodes(), Vec<Dim>::Zero());
     const double g = problem.gravity.norm();
     if (damping == 0 || g == 0 || domains.nCells() == 0) return force;
-    auto L = elementGradient<Dim>(domains, v);
-    const auto nodal = withNodalPoints<Dim>(domains);
-    const auto mean = fromPoints<Dim>(nodal, toPoints<Dim>(nodal, L));
+    const auto mean = elementMean<Dim>(domains, nodalMean<Dim>(domains, L));
     parallelFor(domains.nCells(), [&](int e) {
         const double size = cellMean<Dim>(domains, h, e);
         const double mu = damping * problem.fluid(cells.material[e]).rho * size * std::sqrt(g * size);
@@ -106,15 +116,16 @@ Points<Dim> zigzagForce(const Problem<Dim>& problem, const Cells<Dim>& cells, co
     return force;
 }
 
-#define PFEM_INSTANTIATE(D)                                                                                       \
-    template Points<D> zigzagForce<D>(const Problem<D>&, const Cells<D>&, const SmoothingDomains<D>&, double,     \
-                                      const std::vector<double>&, const Points<D>&);                              \
-    template bool isNewtonian<D>(const Problem<D>&);                                                              \
-    template std::vector<double> tangentViscosity<D>(const FlowViscosity<D>&);                                    \
-    template FlowViscosity<D> flowViscosity<D>(const Problem<D>&, const Cells<D>&, const SmoothingDomains<D>&,    \
-                                               const Points<D>&, const std::vector<double>&);                     \
-    template Points<D> viscousForce<D>(const SmoothingDomains<D>&, const std::vector<double>&, const Points<D>&); \
-    template std::vector<Tensor<D>> fluidTangentStress<D>(const SmoothingDomains<D>&, const FlowViscosity<D>&,    \
+#define PFEM_INSTANTIATE(D)                                                                                    \
+    template Points<D> zigzagForce<D>(const Problem<D>&, const Cells<D>&, const SmoothingDomains<D>&, double,  \
+                                      const std::vector<double>&, std::vector<Tensor<D>>);                     \
+    template bool isNewtonian<D>(const Problem<D>&);                                                           \
+    template std::vector<double> tangentViscosity<D>(const FlowViscosity<D>&);                                 \
+    template FlowViscosity<D> flowViscosity<D>(const Problem<D>&, const Cells<D>&, const SmoothingDomains<D>&, \
+                                               const Points<D>&, const std::vector<double>&);                  \
+    template Points<D> viscousForce<D>(const SmoothingDomains<D>&, const std::vector<double>&,                 \
+                                       std::vector<Tensor<D>>);                                                \
+    template std::vector<Tensor<D>> fluidTangentStress<D>(const SmoothingDomains<D>&, const FlowViscosity<D>&, \
                                                           const Points<D>&, const std::vector<double>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)

@@ -28,9 +28,11 @@ FlowViscosity<Dim> flowViscosity(const Problem<Dim>& problem, const Cells<Dim>& 
 template <int Dim>
 std::vector<double> tangentViscosity(const FlowViscosity<Dim>& viscosity);
 
-/// Nodal force of the points' viscous stress sigma = 2 mu d', d' = d - tr(d)/3 I [N/m (2D), N].
+/// Nodal force of the points' viscous stress sigma = 2 mu d', d' = d - tr(d)/3 I, d of the cells' gradients L
+/// [N/m (2D), N].
 template <int Dim>
-Points<Dim> viscousForce(const SmoothingDomains<Dim>& domains, const std::vector<double>& mu, const Points<Dim>& v);
+Points<Dim> viscousForce(const SmoothingDomains<Dim>& domains, const std::vector<double>& mu,
+                         std::vector<Tensor<Dim>> L);
 
 /// Element stress with the force of the change of that stress with dv, plus `bulk` * tr(d) I per stress point (empty:
 /// none): the operator of the momentum matrix (42)-(43). With a viscosity that depends on the flow: 2 mu dd' +
@@ -41,11 +43,11 @@ std::vector<Tensor<Dim>> fluidTangentStress(const SmoothingDomains<Dim>& domains
 
 /// Force of a viscosity mu_z = damping rho h sqrt(g h) that acts on velocities which alternate from node to node, and
 /// on nothing else:
-///     s_e = mu_z (D + D^T),   D = L_e less the mean of L_I over its nodes.
+///     s_e = mu_z (D + D^T),   D = L_e less the mean of L_I over its nodes; L_e: `L`, the velocity's gradients.
 /// Zero for linear velocities; it only takes energy. A wave of length l loses by some damping sqrt(g/h) (h/l)^4: short
 /// ones die, long ones do not notice it.
 template <int Dim>
 Points<Dim> zigzagForce(const Problem<Dim>& problem, const Cells<Dim>& cells, const SmoothingDomains<Dim>& domains,
-                        double damping, const std::vector<double>& h, const Points<Dim>& v);
+                        double damping, const std::vector<double>& h, std::vector<Tensor<Dim>> L);
 
 }  // namespace pfem

@@ -90,8 +90,8 @@ TEST(ViscousOperator, isTheDerivativeOfItsResidual) {
         plus[i] += eps * w[i];
         minus[i] -= eps * w[i];
     }
-    const auto a = viscousForce<2>(f.patches, f.viscosities(), plus);
-    const auto b = viscousForce<2>(f.patches, f.viscosities(), minus);
+    const auto a = viscousForce<2>(f.patches, f.viscosities(), elementGradient<2>(f.patches, plus));
+    const auto b = viscousForce<2>(f.patches, f.viscosities(), elementGradient<2>(f.patches, minus));
     const auto exact = f.viscous(w);
     for (int i = 0; i < f.n; ++i) EXPECT_LT(((a[i] - b[i]) / (2 * eps) - exact[i]).norm(), 1e-9);
     EXPECT_GT(largest(exact), 1.0);
@@ -113,7 +113,7 @@ TEST(ViscousOperator, ofAFluidWithYieldStressIsTheDerivative) {
         }
         const auto forceAt = [&](const Points<2>& u) {
             return viscousForce<2>(f.patches, flowViscosity<2>(f.c.problem, cells, f.patches, u, f.c.state.nodes.p).mu,
-                                   u);
+                                   elementGradient<2>(f.patches, u));
         };
         const auto a = forceAt(plus), b = forceAt(minus);
         const auto exact = f.force(fluidTangentStress<2>(
@@ -173,7 +173,8 @@ TEST(ZigzagForce, takesEnergyFromWhatAlternates) {
     for (const auto scheme : {Integration::nodal, Integration::elemental}) {
         const auto patches = makeSmoothingDomains<2>(c.state.mesh.fluid.nodes, topology.fluid, c.state.nodes.x, scheme);
         const auto force = [&](const Points<2>& v) {
-            return zigzagForce<2>(c.problem, c.state.mesh.fluid, patches, 0.01, c.state.nodes.h, v);
+            return zigzagForce<2>(c.problem, c.state.mesh.fluid, patches, 0.01, c.state.nodes.h,
+                                  elementGradient<2>(patches, v));
         };
         Points<2> linear(n);
         for (int i = 0; i < n; ++i) {
