@@ -106,7 +106,7 @@ void PatchesOfNodes(benchmark::State& state) {
 
 void ViscousOperator(benchmark::State& state) {
     const StartOfStep s{column(static_cast<int>(state.range(0)))};
-    const std::vector<double> mu(s.nodes.size(), 1e-3);
+    const PerPoint<double> mu(s.nodes.size(), 1e-3);
     for (auto _ : state) benchmark::DoNotOptimize(viscousForce<2>(s.fluid, mu, elementGradient<2>(s.fluid, s.nodes.v)));
     perTriangle(state, s.c);
 }

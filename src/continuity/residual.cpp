@@ -13,9 +13,9 @@ namespace {
 /// |e| (tau (grad p - rho g) + (tau - tau_0) rho a).
 template <int Dim>
 struct CellTerms {
-    std::vector<double> rate;
-    std::vector<double> compressibility;  // |e|/(d+1) / kappa
-    std::vector<Vec<Dim>> flux;
+    PerCell<double> rate;
+    PerCell<double> compressibility;  // |e|/(d+1) / kappa
+    PerCell<Vec<Dim>> flux;
 };
 
 template <int Dim>
@@ -52,8 +52,8 @@ CellTerms<Dim> cellTerms(const Step<Dim>& step, const FluidPhase<Dim>& phase, co
 /// flux_e -= |e| tau_e times the mean over the cell's nodes of the tau-weighted mean of flux/(|e| tau) around each
 /// node.
 template <int Dim>
-void subtractProjection(const SmoothingDomains<Dim>& domains, const NodeToCells& around, const std::vector<double>& tau,
-                        const std::vector<unsigned char>& projected, std::vector<Vec<Dim>>& flux) {
+void subtractProjection(const SmoothingDomains<Dim>& domains, const NodeToCells& around, const PerCell<double>& tau,
+                        const PerCell<unsigned char>& projected, PerCell<Vec<Dim>>& flux) {
     Points<Dim> mean(domains.nNodes(), Vec<Dim>::Zero());
     parallelFor(domains.nNodes(), [&](int i) {
         double weight = 0;
@@ -74,7 +74,7 @@ void subtractProjection(const SmoothingDomains<Dim>& domains, const NodeToCells&
 }
 
 template <int Dim>
-double meanOverCells(const SmoothingDomains<Dim>& domains, const std::vector<double>& value) {
+double meanOverCells(const SmoothingDomains<Dim>& domains, const PerCell<double>& value) {
     double sum = 0, volume = 0;
     for (int e = 0; e < domains.nCells(); ++e) {
         sum += domains.element[e].measure * value[e];

@@ -9,10 +9,10 @@
 namespace pfem {
 
 template <int Dim>
-std::vector<double> stabilisation(const Problem<Dim>& problem, const Cells<Dim>& cells,
-                                  const SmoothingDomains<Dim>& domains, const std::vector<double>& mu,
-                                  const Points<Dim>& v, double dt) {
-    std::vector<double> tau(cells.size());
+PerCell<double> stabilisation(const Problem<Dim>& problem, const Cells<Dim>& cells,
+                              const SmoothingDomains<Dim>& domains, const PerCell<double>& mu, const Points<Dim>& v,
+                              double dt) {
+    PerCell<double> tau(cells.size());
 #pragma omp parallel for schedule(static) if (cells.size() > shortLoop)
     for (int e = 0; e < cells.size(); ++e) {
         const ViscousFluid& fluid = problem.fluid(cells.material[e]);
@@ -45,10 +45,9 @@ bool isCalm(const Problem<Dim>& problem, const Nodes<Dim>& nodes, const Simplex<
 }  // namespace
 
 template <int Dim>
-std::vector<unsigned char> projectedCells(const ContinuityControls& controls, const Problem<Dim>& problem,
-                                          const Cells<Dim>& cells, const Topology<Dim>& topology,
-                                          const Nodes<Dim>& nodes) {
-    std::vector<unsigned char> projected(cells.size(), 0);
+PerCell<unsigned char> projectedCells(const ContinuityControls& controls, const Problem<Dim>& problem,
+                                      const Cells<Dim>& cells, const Topology<Dim>& topology, const Nodes<Dim>& nodes) {
+    PerCell<unsigned char> projected(cells.size(), 0);
     if (controls.stabilisation != "projection") return projected;
     const auto bounded = [&](int i) { return topology.onWall[i] || !topology.ofFluid(i); };
     std::vector<unsigned char> inside(topology.nNodes()),
@@ -75,12 +74,12 @@ std::vector<unsigned char> projectedCells(const ContinuityControls& controls, co
     return projected;
 }
 
-#define PFEM_INSTANTIATE(D)                                                                                       \
-    template std::vector<unsigned char> projectedCells<D>(const ContinuityControls&, const Problem<D>&,           \
-                                                          const Cells<D>&, const Topology<D>&, const Nodes<D>&);  \
-    template double surfaceStabilisation<D>(double, double, double, double);                                      \
-    template std::vector<double> stabilisation<D>(const Problem<D>&, const Cells<D>&, const SmoothingDomains<D>&, \
-                                                  const std::vector<double>&, const Points<D>&, double);
+#define PFEM_INSTANTIATE(D)                                                                                          \
+    template PerCell<unsigned char> projectedCells<D>(const ContinuityControls&, const Problem<D>&, const Cells<D>&, \
+                                                      const Topology<D>&, const Nodes<D>&);                          \
+    template double surfaceStabilisation<D>(double, double, double, double);                                         \
+    template PerCell<double> stabilisation<D>(const Problem<D>&, const Cells<D>&, const SmoothingDomains<D>&,        \
+                                              const PerCell<double>&, const Points<D>&, double);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

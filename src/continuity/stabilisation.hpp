@@ -10,14 +10,14 @@ namespace pfem {
 /// tau_e = 1 / (8 mu/h^2 + rho/dt + rho |v|/h) per fluid cell [m3 s/kg], h^Dim = Dim! |e|, |v| the mean of the
 /// cell's nodes, mu per cell. Evaluated at the start of the step and kept.
 template <int Dim>
-std::vector<double> stabilisation(const Problem<Dim>& problem, const Cells<Dim>& cells,
-                                  const SmoothingDomains<Dim>& domains, const std::vector<double>& mu,
-                                  const Points<Dim>& v, double dt);
+PerCell<double> stabilisation(const Problem<Dim>& problem, const Cells<Dim>& cells,
+                              const SmoothingDomains<Dim>& domains, const PerCell<double>& mu, const Points<Dim>& v,
+                              double dt);
 
 /// What a step keeps of the stabilisation, per cell.
 struct Stabilisation {
-    std::vector<double> tau;               // stabilisation()
-    std::vector<unsigned char> projected;  // projectedCells()
+    PerCell<double> tau;               // stabilisation()
+    PerCell<unsigned char> projected;  // projectedCells()
 };
 
 /// tau_n of the terms on a face of the free surface, from tau and the present viscosity of its cell, with the present
@@ -34,8 +34,7 @@ double surfaceStabilisation(double tau, double mu, double cellMeasure, double fa
 /// over a wall or solid that has inner nodes beside it. Not beside solids either, where impacts ask for the full
 /// residual (doc/decisions.md), but at a contact line that hardly moves. `nodes`: at the start of the step.
 template <int Dim>
-std::vector<unsigned char> projectedCells(const ContinuityControls& controls, const Problem<Dim>& problem,
-                                          const Cells<Dim>& cells, const Topology<Dim>& topology,
-                                          const Nodes<Dim>& nodes);
+PerCell<unsigned char> projectedCells(const ContinuityControls& controls, const Problem<Dim>& problem,
+                                      const Cells<Dim>& cells, const Topology<Dim>& topology, const Nodes<Dim>& nodes);
 
 }  // namespace pfem

@@ -3,9 +3,8 @@
 namespace pfem {
 
 template <int Dim>
-void addViscousPressure(const SmoothingDomains<Dim>& fluid, const std::vector<double>& mu,
-                        const std::vector<double>& scale, const std::vector<double>& residual,
-                        std::vector<double>& dp) {
+void addViscousPressure(const SmoothingDomains<Dim>& fluid, const PerCell<double>& mu, const PerNode<double>& scale,
+                        const PerNode<double>& residual, PerNode<double>& dp) {
     const NodeToCells& around = *fluid.around;
     for (int i = 0; i < fluid.nNodes(); ++i) {
         double sum = 0;  // (d+1) Omega_I mu_I
@@ -16,8 +15,8 @@ void addViscousPressure(const SmoothingDomains<Dim>& fluid, const std::vector<do
     }
 }
 
-#define PFEM_INSTANTIATE(D)                                                                     \
-    template void addViscousPressure<D>(const SmoothingDomains<D>&, const std::vector<double>&, \
+#define PFEM_INSTANTIATE(D)                                                                 \
+    template void addViscousPressure<D>(const SmoothingDomains<D>&, const PerCell<double>&, \
                                         const std::vector<double>&, const std::vector<double>&, std::vector<double>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)

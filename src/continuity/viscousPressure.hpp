@@ -10,7 +10,7 @@ namespace pfem {
 /// first part, this is the second. It shapes the path of the iteration, never the converged step. `mu`: of the cells
 /// [Pa s]; `scale`: of each node; `residual`: R_c [m2/s (2D)].
 template <int Dim>
-void addViscousPressure(const SmoothingDomains<Dim>& fluid, const std::vector<double>& mu,
-                        const std::vector<double>& scale, const std::vector<double>& residual, std::vector<double>& dp);
+void addViscousPressure(const SmoothingDomains<Dim>& fluid, const PerCell<double>& mu, const PerNode<double>& scale,
+                        const PerNode<double>& residual, PerNode<double>& dp);
 
 }  // namespace pfem

@@ -16,8 +16,8 @@ namespace pfem {
 namespace {
 
 template <int Dim>
-double contraction(const SmoothingDomains<Dim>& domains, const std::vector<Tensor<Dim>>& stress,
-                   const std::vector<Tensor<Dim>>& L) {
+double contraction(const SmoothingDomains<Dim>& domains, const PerCell<Tensor<Dim>>& stress,
+                   const PerCell<Tensor<Dim>>& L) {
     double power = 0;
     for (int e = 0; e < domains.nCells(); ++e) power += domains.element[e].measure * stress[e].cwiseProduct(L[e]).sum();
     return power;
@@ -126,7 +126,7 @@ EnergyPowers energyPowers(const Problem<Dim>& problem, const Controls& controls,
     // with stress zero what is left of the solid's element stress is the damper's
     const auto aroundSolid = nodeToCells<Dim>(mesh.solid.nodes, nodes.size());
     const auto solid = makeSmoothingDomains<Dim>(mesh.solid.nodes, aroundSolid, nodes.x, controls.integration.scheme());
-    const SolidStress<Dim> none{std::vector<Stress<Dim>>(nStressPoints<Dim>(solid), Stress<Dim>::Zero()), {}, {}};
+    const SolidStress<Dim> none{PerPoint<Stress<Dim>>(nStressPoints<Dim>(solid), Stress<Dim>::Zero()), {}, {}};
     powers.damper = contraction<Dim>(
         solid, solidElementStress<Dim>({problem, controls.solid, mesh.solid}, solid, solid, none, nodes),
         elementGradient<Dim>(solid, nodes.v));

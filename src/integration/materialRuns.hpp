@@ -40,12 +40,12 @@ void forMaterialRuns(const SmoothingDomains<Dim>& domains, const Cells<Dim>& cel
 
 /// Points first ... last - 1 of a field.
 template <class Value>
-std::span<const Value> runOf(const std::vector<Value>& field, int first, int last) {
-    return std::span<const Value>(field).subspan(first, last - first);
+std::span<const Value> runOf(const PerPoint<Value>& field, int first, int last) {
+    return std::span<const Value>(field.data(), field.size()).subspan(first, last - first);
 }
 template <class Value>
-std::span<Value> runOf(std::vector<Value>& field, int first, int last) {
-    return std::span<Value>(field).subspan(first, last - first);
+std::span<Value> runOf(PerPoint<Value>& field, int first, int last) {
+    return std::span<Value>(field.data(), field.size()).subspan(first, last - first);
 }
 
 }  // namespace pfem

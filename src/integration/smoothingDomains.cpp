@@ -47,8 +47,8 @@ void updateVolumes(SmoothingDomains<Dim>& domains) {
 }
 
 template <int Dim>
-std::vector<Tensor<Dim>> elementGradient(const SmoothingDomains<Dim>& domains, const Points<Dim>& v) {
-    std::vector<Tensor<Dim>> L(domains.nCells());
+PerCell<Tensor<Dim>> elementGradient(const SmoothingDomains<Dim>& domains, const Points<Dim>& v) {
+    PerCell<Tensor<Dim>> L(domains.nCells());
 #pragma omp parallel for schedule(static) if (domains.nCells() > shortLoop)
     for (int e = 0; e < domains.nCells(); ++e) {
         L[e].setZero();
@@ -58,9 +58,9 @@ std::vector<Tensor<Dim>> elementGradient(const SmoothingDomains<Dim>& domains, c
 }
 
 template <int Dim, class Value>
-std::vector<Value> nodalMean(const SmoothingDomains<Dim>& domains, const std::vector<Value>& field) {
+PerNode<Value> nodalMean(const SmoothingDomains<Dim>& domains, const PerCell<Value>& field) {
     const NodeToCells& around = *domains.around;
-    std::vector<Value> mean(domains.nNodes());
+    PerNode<Value> mean(domains.nNodes());
 #pragma omp parallel for schedule(static) if (domains.nCells() > shortLoop)
     for (int i = 0; i < domains.nNodes(); ++i) {
         mean[i].setZero();
@@ -73,8 +73,8 @@ std::vector<Value> nodalMean(const SmoothingDomains<Dim>& domains, const std::ve
 }
 
 template <int Dim, class Value>
-std::vector<Value> elementMean(const SmoothingDomains<Dim>& domains, const std::vector<Value>& nodal) {
-    std::vector<Value> mean(domains.nCells());
+PerCell<Value> elementMean(const SmoothingDomains<Dim>& domains, const PerNode<Value>& nodal) {
+    PerCell<Value> mean(domains.nCells());
 #pragma omp parallel for schedule(static) if (domains.nCells() > shortLoop)
     for (int e = 0; e < domains.nCells(); ++e) {
         mean[e] = nodal[domains.cell(e)[0]];
@@ -85,8 +85,7 @@ std::vector<Value> elementMean(const SmoothingDomains<Dim>& domains, const std::
 }
 
 template <int Dim>
-void addInternalForce(const SmoothingDomains<Dim>& domains, const std::vector<Tensor<Dim>>& stress,
-                      Points<Dim>& force) {
+void addInternalForce(const SmoothingDomains<Dim>& domains, const PerCell<Tensor<Dim>>& stress, Points<Dim>& force) {
     const NodeToCells& around = *domains.around;
     if (domains.nCells() == 0) return;
 #pragma omp parallel for schedule(static) if (domains.nCells() > shortLoop)
@@ -98,9 +97,9 @@ void addInternalForce(const SmoothingDomains<Dim>& domains, const std::vector<Te
 }
 
 template <int Dim>
-void addPressureForce(const SmoothingDomains<Dim>& domains, const std::vector<double>& p, Points<Dim>& force) {
+void addPressureForce(const SmoothingDomains<Dim>& domains, const PerNode<double>& p, Points<Dim>& force) {
     const NodeToCells& around = *domains.around;
-    std::vector<double> whole(domains.nCells());  // |e| times the mean pressure
+    PerCell<double> whole(domains.nCells());  // |e| times the mean pressure
 #pragma omp parallel if (domains.nCells() > shortLoop)
     {
 #pragma omp for schedule(static)
@@ -116,19 +115,19 @@ void addPressureForce(const SmoothingDomains<Dim>& domains, const std::vector<do
     }
 }
 
-#define PFEM_INSTANTIATE(D)                                                                                    \
-    template SmoothingDomains<D> makeSmoothingDomains<D>(const std::vector<Simplex<D>>&, const NodeToCells&,   \
-                                                         const Points<D>&, Integration);                       \
-    template void updateSmoothingDomains<D>(SmoothingDomains<D>&, const Points<D>&);                           \
-    template void updateVolumes<D>(SmoothingDomains<D>&);                                                      \
-    template std::vector<Tensor<D>> elementGradient<D>(const SmoothingDomains<D>&, const Points<D>&);          \
-    template std::vector<Tensor<D>> nodalMean<D>(const SmoothingDomains<D>&, const std::vector<Tensor<D>>&);   \
-    template std::vector<Stress<D>> nodalMean<D>(const SmoothingDomains<D>&, const std::vector<Stress<D>>&);   \
-    template std::vector<Tensor<D>> elementMean<D>(const SmoothingDomains<D>&, const std::vector<Tensor<D>>&); \
-    template std::vector<Stress<D>> elementMean<D>(const SmoothingDomains<D>&, const std::vector<Stress<D>>&); \
-    template std::vector<double> elementMean<D>(const SmoothingDomains<D>&, const std::vector<double>&);       \
-    template void addPressureForce<D>(const SmoothingDomains<D>&, const std::vector<double>&, Points<D>&);     \
-    template void addInternalForce<D>(const SmoothingDomains<D>&, const std::vector<Tensor<D>>&, Points<D>&);
+#define PFEM_INSTANTIATE(D)                                                                                  \
+    template SmoothingDomains<D> makeSmoothingDomains<D>(const std::vector<Simplex<D>>&, const NodeToCells&, \
+                                                         const Points<D>&, Integration);                     \
+    template void updateSmoothingDomains<D>(SmoothingDomains<D>&, const Points<D>&);                         \
+    template void updateVolumes<D>(SmoothingDomains<D>&);                                                    \
+    template PerCell<Tensor<D>> elementGradient<D>(const SmoothingDomains<D>&, const Points<D>&);            \
+    template PerNode<Tensor<D>> nodalMean<D>(const SmoothingDomains<D>&, const PerCell<Tensor<D>>&);         \
+    template PerNode<Stress<D>> nodalMean<D>(const SmoothingDomains<D>&, const PerCell<Stress<D>>&);         \
+    template PerCell<Tensor<D>> elementMean<D>(const SmoothingDomains<D>&, const PerNode<Tensor<D>>&);       \
+    template PerCell<Stress<D>> elementMean<D>(const SmoothingDomains<D>&, const PerNode<Stress<D>>&);       \
+    template PerCell<double> elementMean<D>(const SmoothingDomains<D>&, const PerNode<double>&);             \
+    template void addPressureForce<D>(const SmoothingDomains<D>&, const PerNode<double>&, Points<D>&);       \
+    template void addInternalForce<D>(const SmoothingDomains<D>&, const PerCell<Tensor<D>>&, Points<D>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

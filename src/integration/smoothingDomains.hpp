@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/types.hpp"
+#include "integration/fields.hpp"
 #include "mesh/adjacency.hpp"
 #include "mesh/simplex.hpp"
 
@@ -21,9 +22,9 @@ template <int Dim>
 struct SmoothingDomains {
     const std::vector<Simplex<Dim>>* cells = nullptr;
     const NodeToCells* around = nullptr;
-    std::vector<SimplexGeometry<Dim>> element;  // per cell
-    std::vector<double> volume;                 // Omega_I per node [m2 (2D), m3]; 0 outside the material
-    Integration scheme = Integration::nodal;    // which of them are stress points (stressPoints.hpp)
+    PerCell<SimplexGeometry<Dim>> element;
+    PerNode<double> volume;                   // Omega_I [m2 (2D), m3]; 0 outside the material
+    Integration scheme = Integration::nodal;  // which of them are stress points (stressPoints.hpp)
 
     int nNodes() const { return static_cast<int>(volume.size()); }
     int nCells() const { return static_cast<int>(element.size()); }
@@ -45,24 +46,24 @@ void updateVolumes(SmoothingDomains<Dim>& domains);
 
 /// grad v in every element: L_ij = dv_i/dx_j.
 template <int Dim>
-std::vector<Tensor<Dim>> elementGradient(const SmoothingDomains<Dim>& domains, const Points<Dim>& v);
+PerCell<Tensor<Dim>> elementGradient(const SmoothingDomains<Dim>& domains, const Points<Dim>& v);
 
 /// Nodal mean of an element field: (1/Omega_I) sum_e |e|/(d+1) f_e; zero outside the material. With
 /// f = grad v this is L_I = sum_J v_J (x) G_IJ. Value: Tensor or Stress.
 template <int Dim, class Value>
-std::vector<Value> nodalMean(const SmoothingDomains<Dim>& domains, const std::vector<Value>& field);
+PerNode<Value> nodalMean(const SmoothingDomains<Dim>& domains, const PerCell<Value>& field);
 
 /// force_J += sum_e |e| S_e grad N_J: the nodal force that balances the element stress S.
 template <int Dim>
-void addInternalForce(const SmoothingDomains<Dim>& domains, const std::vector<Tensor<Dim>>& stress, Points<Dim>& force);
+void addInternalForce(const SmoothingDomains<Dim>& domains, const PerCell<Tensor<Dim>>& stress, Points<Dim>& force);
 
 /// force_J -= sum_e |e| p_e grad N_J with p_e the mean of the cell's nodes: the force of a pressure.
 template <int Dim>
-void addPressureForce(const SmoothingDomains<Dim>& domains, const std::vector<double>& p, Points<Dim>& force);
+void addPressureForce(const SmoothingDomains<Dim>& domains, const PerNode<double>& p, Points<Dim>& force);
 
 /// Element stress that makes addInternalForce equal to sum_I Omega_I sigma_I G_IJ: the mean of the cell's nodes.
 /// Value: Tensor, Stress or double.
 template <int Dim, class Value>
-std::vector<Value> elementMean(const SmoothingDomains<Dim>& domains, const std::vector<Value>& nodal);
+PerCell<Value> elementMean(const SmoothingDomains<Dim>& domains, const PerNode<Value>& nodal);
 
 }  // namespace pfem

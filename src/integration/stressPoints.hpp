@@ -46,7 +46,7 @@ double pointVolume(const SmoothingDomains<Dim>& domains, int p) {
 
 /// Mean of a nodal number over the nodes of cell e.
 template <int Dim>
-double cellMean(const SmoothingDomains<Dim>& domains, const std::vector<double>& nodal, int e) {
+double cellMean(const SmoothingDomains<Dim>& domains, const PerNode<double>& nodal, int e) {
     double sum = 0;
     for (int node : domains.cell(e)) sum += nodal[node] / (Dim + 1);
     return sum;
@@ -54,42 +54,43 @@ double cellMean(const SmoothingDomains<Dim>& domains, const std::vector<double>&
 
 /// A nodal number, such as the mesh size h, at point p.
 template <int Dim>
-double atPoint(const SmoothingDomains<Dim>& domains, const std::vector<double>& nodal, int p) {
+double atPoint(const SmoothingDomains<Dim>& domains, const PerNode<double>& nodal, int p) {
     return domains.scheme == Integration::nodal ? nodal[p] : cellMean<Dim>(domains, nodal, p);
 }
 
 /// An element field at the points: its mean over each patch.
 template <int Dim, class Value>
-std::vector<Value> toPoints(const SmoothingDomains<Dim>& domains, std::vector<Value> element) {
-    if (domains.scheme == Integration::elemental) return element;
-    return nodalMean<Dim>(domains, element);
+PerPoint<Value> toPoints(const SmoothingDomains<Dim>& domains, PerCell<Value> element) {
+    if (domains.scheme == Integration::elemental) return PerPoint<Value>(std::move(element).values());
+    return PerPoint<Value>(nodalMean<Dim>(domains, element));
 }
 
 /// The element field that has the force of a field on the points: sum_p Omega_p sigma_p G_pJ = sum_e |e| s_e grad N_J.
 template <int Dim, class Value>
-std::vector<Value> fromPoints(const SmoothingDomains<Dim>& domains, std::vector<Value> point) {
-    if (domains.scheme == Integration::elemental) return point;
-    return elementMean<Dim>(domains, point);
+PerCell<Value> fromPoints(const SmoothingDomains<Dim>& domains, PerPoint<Value> point) {
+    if (domains.scheme == Integration::elemental) return PerCell<Value>(std::move(point).values());
+    return elementMean<Dim>(domains, point.values());
 }
 
 /// What is stored, as a field on the points. `cell` is empty in states of a nodal run: then the means of the nodes.
 template <int Dim, class Value>
-std::vector<Value> storedAtPoints(const SmoothingDomains<Dim>& domains, const std::vector<Value>& nodal,
-                                  const std::vector<Value>& cell) {
-    if (domains.scheme == Integration::nodal) return nodal;
-    return cell.empty() ? elementMean<Dim>(domains, nodal) : cell;
+PerPoint<Value> storedAtPoints(const SmoothingDomains<Dim>& domains, const PerNode<Value>& nodal,
+                               const std::vector<Value>& cell) {
+    if (domains.scheme == Integration::nodal) return PerPoint<Value>(nodal);
+    return PerPoint<Value>(cell.empty() ? elementMean<Dim>(domains, nodal).values() : cell);
 }
 
 /// Store a field of the points: in `cell` what elements carry (empty for nodal), in `nodal` its value at the nodes.
 template <int Dim, class Value>
-void storeFromPoints(const SmoothingDomains<Dim>& domains, std::vector<Value> point, std::vector<Value>& nodal,
+void storeFromPoints(const SmoothingDomains<Dim>& domains, PerPoint<Value> point, PerNode<Value>& nodal,
                      std::vector<Value>& cell) {
     if (domains.scheme == Integration::nodal) {
-        nodal = std::move(point);
+        nodal = std::move(point).values();
         cell.clear();
     } else {
-        nodal = nodalMean<Dim>(domains, point);
-        cell = std::move(point);
+        const PerCell<Value> element(std::move(point).values());
+        nodal = nodalMean<Dim>(domains, element);
+        cell = element.values();
     }
 }
 

@@ -30,7 +30,7 @@ void FluidPhase<Dim>::flow(const Points<Dim>& v) {
 }
 
 template <int Dim>
-std::vector<double> FluidPhase<Dim>::tangent() const {
+PerCell<double> FluidPhase<Dim>::tangent() const {
     return newtonian ? mu : fromPoints<Dim>(domains, tangentViscosity<Dim>(viscosity));
 }
 

@@ -10,13 +10,13 @@ template <int Dim>
 struct FluidPhase {
     const Problem<Dim>& problem;
     const Cells<Dim>& cells;
-    const std::vector<double>& pressure;  // of the nodes, at the start of the step: what the viscosity of grains takes
+    const PerNode<double>& pressure;  // of the nodes, at the start of the step: what the viscosity of grains takes
     SmoothingDomains<Dim> domains;
-    bool newtonian;                // does the viscosity not depend on the flow?
-    FlowViscosity<Dim> viscosity;  // of the stress points
-    std::vector<double> mu;        // of the cells [Pa s]
-    int waiting = 0;               // so many configurations are still passed over
-    bool follows = true;           // are the domains in the configuration that came last?
+    bool newtonian;  // does the viscosity not depend on the flow?
+    FlowViscosity<Dim> viscosity;
+    PerCell<double> mu;   // [Pa s]
+    int waiting = 0;      // so many configurations are still passed over
+    bool follows = true;  // are the domains in the configuration that came last?
 
     /// As it is in `nodes`. The references must outlive the phase.
     FluidPhase(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const NodeToCells& around, const Nodes<Dim>& nodes,
@@ -32,7 +32,7 @@ struct FluidPhase {
     void flow(const Points<Dim>& v);
 
     /// Viscosity of the cells against a change of the flow in its own direction [Pa s].
-    std::vector<double> tangent() const;
+    PerCell<double> tangent() const;
 };
 
 }  // namespace pfem

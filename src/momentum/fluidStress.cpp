@@ -18,13 +18,12 @@ bool isNewtonian(const Problem<Dim>& problem) {
 
 template <int Dim>
 FlowViscosity<Dim> flowViscosity(const Problem<Dim>& problem, const Cells<Dim>& cells,
-                                 const SmoothingDomains<Dim>& domains, const Points<Dim>& v,
-                                 const std::vector<double>& p) {
+                                 const SmoothingDomains<Dim>& domains, const Points<Dim>& v, const PerNode<double>& p) {
     const int n = nStressPoints<Dim>(domains);
     FlowViscosity<Dim> result;
     result.mu.assign(n, 0.0);
     const bool depends = !isNewtonian<Dim>(problem);
-    std::vector<double> g, pressure;
+    PerPoint<double> g, pressure;
     if (depends) {
         result.rate = toPoints<Dim>(domains, elementGradient<Dim>(domains, v));
         result.softening.assign(n, 0.0);
@@ -56,8 +55,8 @@ namespace {
 
 /// fluidTangentStress() for velocities with these gradients.
 template <int Dim>
-std::vector<Tensor<Dim>> tangentStress(const SmoothingDomains<Dim>& domains, const FlowViscosity<Dim>& viscosity,
-                                       std::vector<Tensor<Dim>> gradient, const std::vector<double>& bulk) {
+PerCell<Tensor<Dim>> tangentStress(const SmoothingDomains<Dim>& domains, const FlowViscosity<Dim>& viscosity,
+                                   PerCell<Tensor<Dim>> gradient, const PerPoint<double>& bulk) {
     auto stress = toPoints<Dim>(domains, std::move(gradient));
 #pragma omp parallel for schedule(static) if (domains.nCells() > shortLoop)
     for (int p = 0; p < nStressPoints<Dim>(domains); ++p) {
@@ -76,22 +75,21 @@ std::vector<Tensor<Dim>> tangentStress(const SmoothingDomains<Dim>& domains, con
 }  // namespace
 
 template <int Dim>
-std::vector<Tensor<Dim>> fluidTangentStress(const SmoothingDomains<Dim>& domains, const FlowViscosity<Dim>& viscosity,
-                                            const Points<Dim>& dv, const std::vector<double>& bulk) {
+PerCell<Tensor<Dim>> fluidTangentStress(const SmoothingDomains<Dim>& domains, const FlowViscosity<Dim>& viscosity,
+                                        const Points<Dim>& dv, const PerPoint<double>& bulk) {
     return tangentStress<Dim>(domains, viscosity, elementGradient<Dim>(domains, dv), bulk);
 }
 
 template <int Dim>
-Points<Dim> viscousForce(const SmoothingDomains<Dim>& domains, const std::vector<double>& mu,
-                         std::vector<Tensor<Dim>> L) {
+Points<Dim> viscousForce(const SmoothingDomains<Dim>& domains, const PerPoint<double>& mu, PerCell<Tensor<Dim>> L) {
     Points<Dim> force(domains.nNodes(), Vec<Dim>::Zero());
     addInternalForce<Dim>(domains, tangentStress<Dim>(domains, {mu, {}, {}}, std::move(L), {}), force);
     return force;
 }
 
 template <int Dim>
-std::vector<double> tangentViscosity(const FlowViscosity<Dim>& viscosity) {
-    std::vector<double> mu = viscosity.mu;
+PerPoint<double> tangentViscosity(const FlowViscosity<Dim>& viscosity) {
+    PerPoint<double> mu = viscosity.mu;
     for (std::size_t p = 0; p < viscosity.rate.size(); ++p) {
         const Tensor<Dim>& d = viscosity.rate[p];
         mu[p] += 0.5 * viscosity.softening[p] * (d.squaredNorm() + d.trace() * d.trace());
@@ -101,7 +99,7 @@ std::vector<double> tangentViscosity(const FlowViscosity<Dim>& viscosity) {
 
 template <int Dim>
 Points<Dim> zigzagForce(const Problem<Dim>& problem, const Cells<Dim>& cells, const SmoothingDomains<Dim>& domains,
-                        double damping, const std::vector<double>& h, std::vector<Tensor<Dim>> L) {
+                        double damping, const PerNode<double>& h, PerCell<Tensor<Dim>> L) {
     Points<Dim> force(domains.nNodes(), Vec<Dim>::Zero());
     const double g = problem.gravity.norm();
     if (damping == 0 || g == 0 || domains.nCells() == 0) return force;
@@ -116,17 +114,16 @@ Points<Dim> zigzagForce(const Problem<Dim>& problem, const Cells<Dim>& cells, co
     return force;
 }
 
-#define PFEM_INSTANTIATE(D)                                                                                    \
-    template Points<D> zigzagForce<D>(const Problem<D>&, const Cells<D>&, const SmoothingDomains<D>&, double,  \
-                                      const std::vector<double>&, std::vector<Tensor<D>>);                     \
-    template bool isNewtonian<D>(const Problem<D>&);                                                           \
-    template std::vector<double> tangentViscosity<D>(const FlowViscosity<D>&);                                 \
-    template FlowViscosity<D> flowViscosity<D>(const Problem<D>&, const Cells<D>&, const SmoothingDomains<D>&, \
-                                               const Points<D>&, const std::vector<double>&);                  \
-    template Points<D> viscousForce<D>(const SmoothingDomains<D>&, const std::vector<double>&,                 \
-                                       std::vector<Tensor<D>>);                                                \
-    template std::vector<Tensor<D>> fluidTangentStress<D>(const SmoothingDomains<D>&, const FlowViscosity<D>&, \
-                                                          const Points<D>&, const std::vector<double>&);
+#define PFEM_INSTANTIATE(D)                                                                                      \
+    template Points<D> zigzagForce<D>(const Problem<D>&, const Cells<D>&, const SmoothingDomains<D>&, double,    \
+                                      const PerNode<double>&, PerCell<Tensor<D>>);                               \
+    template bool isNewtonian<D>(const Problem<D>&);                                                             \
+    template PerPoint<double> tangentViscosity<D>(const FlowViscosity<D>&);                                      \
+    template FlowViscosity<D> flowViscosity<D>(const Problem<D>&, const Cells<D>&, const SmoothingDomains<D>&,   \
+                                               const Points<D>&, const PerNode<double>&);                        \
+    template Points<D> viscousForce<D>(const SmoothingDomains<D>&, const PerPoint<double>&, PerCell<Tensor<D>>); \
+    template PerCell<Tensor<D>> fluidTangentStress<D>(const SmoothingDomains<D>&, const FlowViscosity<D>&,       \
+                                                      const Points<D>&, const PerPoint<double>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

@@ -13,33 +13,31 @@ bool isNewtonian(const Problem<Dim>& problem);
 /// The viscosity of every stress point and how it answers to the flow.
 template <int Dim>
 struct FlowViscosity {
-    std::vector<double> mu;         // [Pa s]; 0 outside the material
-    std::vector<Tensor<Dim>> rate;  // d' [1/s]; empty: no viscosity depends on the flow
-    std::vector<double> softening;  // (4/g) d mu/d g [Pa s3], g the shear rate
+    PerPoint<double> mu;         // [Pa s]; 0 outside the material
+    PerPoint<Tensor<Dim>> rate;  // d' [1/s]; empty: no viscosity depends on the flow
+    PerPoint<double> softening;  // (4/g) d mu/d g [Pa s3], g the shear rate
 };
 
 /// In the flow v with the nodal pressures p.
 template <int Dim>
 FlowViscosity<Dim> flowViscosity(const Problem<Dim>& problem, const Cells<Dim>& cells,
-                                 const SmoothingDomains<Dim>& domains, const Points<Dim>& v,
-                                 const std::vector<double>& p);
+                                 const SmoothingDomains<Dim>& domains, const Points<Dim>& v, const PerNode<double>& p);
 
 /// mu + g d mu/d g of the points: what resists a change of the flow in its own direction [Pa s].
 template <int Dim>
-std::vector<double> tangentViscosity(const FlowViscosity<Dim>& viscosity);
+PerPoint<double> tangentViscosity(const FlowViscosity<Dim>& viscosity);
 
 /// Nodal force of the points' viscous stress sigma = 2 mu d', d' = d - tr(d)/3 I, d of the cells' gradients L
 /// [N/m (2D), N].
 template <int Dim>
-Points<Dim> viscousForce(const SmoothingDomains<Dim>& domains, const std::vector<double>& mu,
-                         std::vector<Tensor<Dim>> L);
+Points<Dim> viscousForce(const SmoothingDomains<Dim>& domains, const PerPoint<double>& mu, PerCell<Tensor<Dim>> L);
 
 /// Element stress with the force of the change of that stress with dv, plus `bulk` * tr(d) I per stress point (empty:
 /// none): the operator of the momentum matrix (42)-(43). With a viscosity that depends on the flow: 2 mu dd' +
 /// softening (d' : dd') d'.
 template <int Dim>
-std::vector<Tensor<Dim>> fluidTangentStress(const SmoothingDomains<Dim>& domains, const FlowViscosity<Dim>& viscosity,
-                                            const Points<Dim>& dv, const std::vector<double>& bulk);
+PerCell<Tensor<Dim>> fluidTangentStress(const SmoothingDomains<Dim>& domains, const FlowViscosity<Dim>& viscosity,
+                                        const Points<Dim>& dv, const PerPoint<double>& bulk);
 
 /// Force of a viscosity mu_z = damping rho h sqrt(g h) that acts on velocities which alternate from node to node, and
 /// on nothing else:
@@ -48,6 +46,6 @@ std::vector<Tensor<Dim>> fluidTangentStress(const SmoothingDomains<Dim>& domains
 /// ones die, long ones do not notice it.
 template <int Dim>
 Points<Dim> zigzagForce(const Problem<Dim>& problem, const Cells<Dim>& cells, const SmoothingDomains<Dim>& domains,
-                        double damping, const std::vector<double>& h, std::vector<Tensor<Dim>> L);
+                        double damping, const PerNode<double>& h, PerCell<Tensor<Dim>> L);
 
 }  // namespace pfem

@@ -22,8 +22,7 @@ std::vector<double> nodalShares(const Cells<Dim>& cells, const Points<Dim>& x, D
 }  // namespace
 
 template <int Dim>
-std::vector<double> fluidMass(const Problem<Dim>& problem, const Cells<Dim>& cells,
-                              const SmoothingDomains<Dim>& domains) {
+PerNode<double> fluidMass(const Problem<Dim>& problem, const Cells<Dim>& cells, const SmoothingDomains<Dim>& domains) {
     const NodeToCells& around = *domains.around;
     std::vector<double> mass(domains.nNodes(), 0.0);
     const auto isFluid = [](const Material& m) { return m.kind == MaterialKind::fluid; };
@@ -44,19 +43,19 @@ std::vector<double> fluidMass(const Problem<Dim>& problem, const Cells<Dim>& cel
 }
 
 template <int Dim>
-std::vector<double> fluidMass(const Problem<Dim>& problem, const Cells<Dim>& cells, const Points<Dim>& x) {
+PerNode<double> fluidMass(const Problem<Dim>& problem, const Cells<Dim>& cells, const Points<Dim>& x) {
     return nodalShares<Dim>(cells, x, [&](int material) { return problem.fluid(material).rho; });
 }
 
 template <int Dim>
-std::vector<double> solidMass(const Problem<Dim>& problem, const Cells<Dim>& cells, const Points<Dim>& X) {
+PerNode<double> solidMass(const Problem<Dim>& problem, const Cells<Dim>& cells, const Points<Dim>& X) {
     return nodalShares<Dim>(cells, X, [&](int material) { return problem.solid(material).rho; });
 }
 
-#define PFEM_INSTANTIATE(D)                                                                                    \
-    template std::vector<double> fluidMass<D>(const Problem<D>&, const Cells<D>&, const Points<D>&);           \
-    template std::vector<double> fluidMass<D>(const Problem<D>&, const Cells<D>&, const SmoothingDomains<D>&); \
-    template std::vector<double> solidMass<D>(const Problem<D>&, const Cells<D>&, const Points<D>&);
+#define PFEM_INSTANTIATE(D)                                                                                \
+    template PerNode<double> fluidMass<D>(const Problem<D>&, const Cells<D>&, const Points<D>&);           \
+    template PerNode<double> fluidMass<D>(const Problem<D>&, const Cells<D>&, const SmoothingDomains<D>&); \
+    template PerNode<double> solidMass<D>(const Problem<D>&, const Cells<D>&, const Points<D>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

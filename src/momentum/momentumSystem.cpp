@@ -14,9 +14,9 @@ namespace {
 
 /// rho h^2/dt with h^2 = Omega^{2/Dim}: an acoustic Courant number of one at each stress point [Pa s].
 template <int Dim>
-std::vector<double> localBulk(const FluidPhase<Dim>& fluid, double dt) {
+PerPoint<double> localBulk(const FluidPhase<Dim>& fluid, double dt) {
     const SmoothingDomains<Dim>& domains = fluid.domains;
-    std::vector<double> bulk(nStressPoints<Dim>(domains), 0.0);
+    PerPoint<double> bulk(nStressPoints<Dim>(domains), 0.0);
     for (int p = 0; p < nStressPoints<Dim>(domains); ++p) {
         if (!isStressPoint<Dim>(domains, p)) continue;
         const double rho = fluid.problem.fluid(fluid.cells.material[cellOfPoint<Dim>(domains, p)]).rho;
@@ -27,8 +27,8 @@ std::vector<double> localBulk(const FluidPhase<Dim>& fluid, double dt) {
 
 /// About the diagonal of the viscous matrix: at most sum_e 2 mu |e| |grad N_I|^2.
 template <int Dim>
-std::vector<double> viscousDiagonal(const SmoothingDomains<Dim>& fluid, const std::vector<double>& cellMu) {
-    std::vector<double> diagonal(fluid.nNodes(), 0.0);
+PerNode<double> viscousDiagonal(const SmoothingDomains<Dim>& fluid, const PerCell<double>& cellMu) {
+    PerNode<double> diagonal(fluid.nNodes(), 0.0);
     const NodeToCells& around = *fluid.around;
     parallelFor(fluid.nNodes(), [&](int i) {
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
@@ -67,12 +67,12 @@ Ratios viscousRatios(const std::vector<double>& viscous, const std::vector<doubl
 
 /// One value for all points: mean diagonal of the mass matrix over that of sum_e |e| grad N_I . grad N_I / Dim.
 template <int Dim>
-std::vector<double> meanBulk(const SmoothingDomains<Dim>& fluid, const std::vector<double>& inertia) {
+PerPoint<double> meanBulk(const SmoothingDomains<Dim>& fluid, const PerNode<double>& inertia) {
     double massSum = 0, gradientSum = 0;
     for (int i = 0; i < fluid.nNodes(); ++i) massSum += inertia[i];
     for (const auto& g : fluid.element)
         for (const auto& gradN : g.gradN) gradientSum += g.measure * gradN.squaredNorm() / Dim;
-    return std::vector<double>(nStressPoints<Dim>(fluid), gradientSum > 0 ? massSum / gradientSum : 0);
+    return PerPoint<double>(nStressPoints<Dim>(fluid), gradientSum > 0 ? massSum / gradientSum : 0);
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ private:
     Points<Dim> inertia_;                  // of moving fluid nodes; of a sliding one the same in all directions
     std::vector<double> diagonal_;         // its least component, 0 elsewhere
     std::vector<double> viscousDiagonal_;  // about that of the viscous matrix, where it is applied
-    std::vector<double> bulk_;             // theta times bulkRule's value per stress point [Pa s], empty without
+    PerPoint<double> bulk_;                // theta times bulkRule's value [Pa s], empty without
     double viscousNumber_ = 0;
     bool viscous_ = false;
     int iterations_ = 0;

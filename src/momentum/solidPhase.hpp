@@ -10,11 +10,11 @@ namespace pfem {
 template <int Dim>
 struct SolidPhase {
     Solids<Dim> solids;
-    SmoothingDomains<Dim> domains;           // at the end of the step
-    SmoothingDomains<Dim> gradients;         // at the positions that the stress update asks for
-    std::vector<double> mass;                // of the nodes, constant
-    SolidStress<Dim> stress;                 // sigma^{n+1}
-    std::vector<Tensor<Dim>> elementStress;  // whose force is that of `stress` and of the damper
+    SmoothingDomains<Dim> domains;       // at the end of the step
+    SmoothingDomains<Dim> gradients;     // at the positions that the stress update asks for
+    PerNode<double> mass;                // constant
+    SolidStress<Dim> stress;             // sigma^{n+1}
+    PerCell<Tensor<Dim>> elementStress;  // whose force is that of `stress` and of the damper
 
     /// As it is stored in `nodes`. The references must outlive the phase.
     SolidPhase(const Problem<Dim>& problem, const SolidControls& controls, const Mesh<Dim>& mesh,

@@ -77,11 +77,11 @@ Points<Dim> gradientField(Kinematics kind, const Nodes<Dim>& old, const Nodes<Di
 /// Element stress with the force of the energy sum_p Omega_p W(F_p), F_p over the reference domains: the mean of the
 /// points' first Piola stress, carried to the current element by its own F_e. For elements: sigma itself.
 template <int Dim>
-std::vector<Tensor<Dim>> hyperelasticElementStress(const SmoothingDomains<Dim>& reference,
-                                                   const std::vector<Stress<Dim>>& sigma, const Points<Dim>& x) {
+PerCell<Tensor<Dim>> hyperelasticElementStress(const SmoothingDomains<Dim>& reference,
+                                               const PerPoint<Stress<Dim>>& sigma, const Points<Dim>& x) {
     const auto F = elementGradient<Dim>(reference, x);
     const auto pointF = toPoints<Dim>(reference, F);
-    std::vector<Tensor<Dim>> P(sigma.size(), Tensor<Dim>::Zero());
+    PerPoint<Tensor<Dim>> P(sigma.size(), Tensor<Dim>::Zero());
     for (int p = 0; p < nStressPoints<Dim>(reference); ++p)
         if (isStressPoint<Dim>(reference, p)) P[p] = firstPiola<Dim>(sigma[p], pointF[p]);
     auto stress = fromPoints<Dim>(reference, std::move(P));
@@ -90,9 +90,8 @@ std::vector<Tensor<Dim>> hyperelasticElementStress(const SmoothingDomains<Dim>& 
 }
 
 template <int Dim>
-std::vector<Tensor<Dim>> cauchyElementStress(const SmoothingDomains<Dim>& domains,
-                                             const std::vector<Stress<Dim>>& sigma) {
-    std::vector<Tensor<Dim>> point(sigma.size());
+PerCell<Tensor<Dim>> cauchyElementStress(const SmoothingDomains<Dim>& domains, const PerPoint<Stress<Dim>>& sigma) {
+    PerPoint<Tensor<Dim>> point(sigma.size());
     parallelFor(static_cast<int>(sigma.size()), [&](int p) { point[p] = stressTensor<Dim>(sigma[p]); });
     return fromPoints<Dim>(domains, std::move(point));
 }
@@ -133,7 +132,7 @@ struct PointMotion {
     const Problem<Dim>& problem;
     const Cells<Dim>& cells;
     const SmoothingDomains<Dim>& domains;
-    std::vector<Tensor<Dim>> gradient;  // as the laws take it
+    PerPoint<Tensor<Dim>> gradient;  // as the laws take it
     double dt;
 };
 
@@ -150,7 +149,7 @@ PointMotion<Dim> pointMotion(const Problem<Dim>& problem, const Cells<Dim>& cell
 /// The stress at the stress points by their laws, and what the laws then remember: in `history`, from that at the start
 /// of the step to that at its end.
 template <int Dim>
-void updateStress(const PointMotion<Dim>& motion, std::vector<Stress<Dim>>& sigma, History& history) {
+void updateStress(const PointMotion<Dim>& motion, PerPoint<Stress<Dim>>& sigma, History& history) {
     forMaterialRuns<Dim>(motion.domains, motion.cells, [&](int material, int first, int last) {
         const SolidLaw& law = *motion.problem.solid(material).law;
         SolidPoints<Dim> points{runOf(motion.gradient, first, last), runOf(sigma, first, last), {}, {}, motion.dt};
@@ -172,7 +171,7 @@ void updateStress(const PointMotion<Dim>& motion, std::vector<Stress<Dim>>& sigm
 
 /// velocityPressure, laws in rates: the stress at the nodes by the elasticity of the laws.
 template <int Dim>
-void predictStress(const PointMotion<Dim>& motion, std::vector<Stress<Dim>>& sigma) {
+void predictStress(const PointMotion<Dim>& motion, PerPoint<Stress<Dim>>& sigma) {
     forMaterialRuns<Dim>(motion.domains, motion.cells, [&](int material, int first, int last) {
         const SolidLaw& law = *motion.problem.solid(material).law;
         if (law.kinematics() == Kinematics::reference) return;
@@ -183,18 +182,18 @@ void predictStress(const PointMotion<Dim>& motion, std::vector<Stress<Dim>>& sig
 
 /// velocityPressure: p of the nodes.
 template <int Dim>
-std::vector<double> nodalPressure(const Problem<Dim>& problem, const Cells<Dim>& cells,
-                                  const SmoothingDomains<Dim>& domains, const Nodes<Dim>& old, const Nodes<Dim>& trial,
-                                  double dt) {
-    std::vector<double> p(domains.nNodes(), 0.0);
+PerNode<double> nodalPressure(const Problem<Dim>& problem, const Cells<Dim>& cells,
+                              const SmoothingDomains<Dim>& domains, const Nodes<Dim>& old, const Nodes<Dim>& trial,
+                              double dt) {
+    PerNode<double> p(domains.nNodes(), 0.0);
     if (domains.nCells() == 0) return p;
     const KindsOfLaws<Dim> laws(problem, cells);
     const auto nodes = withNodalPoints<Dim>(domains);
-    std::vector<double> J;
-    std::vector<Stress<Dim>> sigma;
+    PerNode<double> J;
+    PerPoint<Stress<Dim>> sigma;
     if (laws.has(Kinematics::reference)) J = volumeRatio<Dim>(domains, trial.x);
     if (!laws.only(Kinematics::reference)) {
-        sigma = old.sigma;
+        sigma = PerPoint<Stress<Dim>>(old.sigma);
         predictStress<Dim>(pointMotion<Dim>(problem, cells, nodes, old, trial, dt), sigma);
     }
     for (int i = 0; i < nodes.nNodes(); ++i)
@@ -208,9 +207,9 @@ std::vector<double> nodalPressure(const Problem<Dim>& problem, const Cells<Dim>&
 }  // namespace
 
 template <int Dim>
-std::vector<double> volumeRatio(const SmoothingDomains<Dim>& reference, const Points<Dim>& x) {
+PerNode<double> volumeRatio(const SmoothingDomains<Dim>& reference, const Points<Dim>& x) {
     const NodeToCells& around = *reference.around;
-    std::vector<double> J(reference.nNodes(), 1.0);
+    PerNode<double> J(reference.nNodes(), 1.0);
     for (int i = 0; i < reference.nNodes(); ++i) {
         if (around.count(i) == 0) continue;
         double volume = 0;
@@ -248,9 +247,9 @@ SolidStress<Dim> solidStress(const Solids<Dim>& solids, const SmoothingDomains<D
 }
 
 template <int Dim>
-std::vector<Tensor<Dim>> solidElementStress(const Solids<Dim>& solids, const SmoothingDomains<Dim>& domains,
-                                            const SmoothingDomains<Dim>& end, const SolidStress<Dim>& stress,
-                                            const Nodes<Dim>& trial) {
+PerCell<Tensor<Dim>> solidElementStress(const Solids<Dim>& solids, const SmoothingDomains<Dim>& domains,
+                                        const SmoothingDomains<Dim>& end, const SolidStress<Dim>& stress,
+                                        const Nodes<Dim>& trial) {
     const auto& [problem, controls, cells] = solids;
     if (end.nCells() == 0) return {};
     auto sum = KindsOfLaws<Dim>(problem, cells).perCell([&](Kinematics kind) {
@@ -270,8 +269,8 @@ std::vector<Tensor<Dim>> solidElementStress(const Solids<Dim>& solids, const Smo
 }
 
 template <int Dim>
-std::vector<Tensor<Dim>> storedElementStress(const Solids<Dim>& solids, const SmoothingDomains<Dim>& domains,
-                                             const Nodes<Dim>& nodes) {
+PerCell<Tensor<Dim>> storedElementStress(const Solids<Dim>& solids, const SmoothingDomains<Dim>& domains,
+                                         const Nodes<Dim>& nodes) {
     const auto& [problem, controls, cells] = solids;
     auto gradients = domains;
     updateGradientDomains<Dim>(problem, cells, nodes, nodes, gradients);
@@ -294,7 +293,7 @@ std::vector<Tensor<Dim>> storedElementStress(const Solids<Dim>& solids, const Sm
 }
 
 template <int Dim>
-void storeSolidStress(const SmoothingDomains<Dim>& domains, SolidStress<Dim> stress, std::vector<Stress<Dim>>& nodal,
+void storeSolidStress(const SmoothingDomains<Dim>& domains, SolidStress<Dim> stress, PerNode<Stress<Dim>>& nodal,
                       std::vector<Stress<Dim>>& cell) {
     storeFromPoints<Dim>(domains, std::move(stress.point), nodal, cell);
     if (stress.pressure.empty()) return;
@@ -303,19 +302,18 @@ void storeSolidStress(const SmoothingDomains<Dim>& domains, SolidStress<Dim> str
         cell[e] = withPressure<Dim>(cell[e], cellMean<Dim>(domains, stress.pressure, static_cast<int>(e)));
 }
 
-#define PFEM_INSTANTIATE(D)                                                                                      \
-    template const Solid& solidMaterial<D>(const Problem<D>&, const Cells<D>&, const SmoothingDomains<D>&, int); \
-    template std::vector<double> volumeRatio<D>(const SmoothingDomains<D>&, const Points<D>&);                   \
-    template void updateGradientDomains<D>(const Problem<D>&, const Cells<D>&, const Nodes<D>&, const Nodes<D>&, \
-                                           SmoothingDomains<D>&);                                                \
-    template SolidStress<D> solidStress<D>(const Solids<D>&, const SmoothingDomains<D>&, const Nodes<D>&,        \
-                                           const Nodes<D>&, double);                                             \
-    template std::vector<Tensor<D>> solidElementStress<D>(const Solids<D>&, const SmoothingDomains<D>&,          \
-                                                          const SmoothingDomains<D>&, const SolidStress<D>&,     \
-                                                          const Nodes<D>&);                                      \
-    template std::vector<Tensor<D>> storedElementStress<D>(const Solids<D>&, const SmoothingDomains<D>&,         \
-                                                           const Nodes<D>&);                                     \
-    template void storeSolidStress<D>(const SmoothingDomains<D>&, SolidStress<D>, std::vector<Stress<D>>&,       \
+#define PFEM_INSTANTIATE(D)                                                                                            \
+    template const Solid& solidMaterial<D>(const Problem<D>&, const Cells<D>&, const SmoothingDomains<D>&, int);       \
+    template PerNode<double> volumeRatio<D>(const SmoothingDomains<D>&, const Points<D>&);                             \
+    template void updateGradientDomains<D>(const Problem<D>&, const Cells<D>&, const Nodes<D>&, const Nodes<D>&,       \
+                                           SmoothingDomains<D>&);                                                      \
+    template SolidStress<D> solidStress<D>(const Solids<D>&, const SmoothingDomains<D>&, const Nodes<D>&,              \
+                                           const Nodes<D>&, double);                                                   \
+    template PerCell<Tensor<D>> solidElementStress<D>(const Solids<D>&, const SmoothingDomains<D>&,                    \
+                                                      const SmoothingDomains<D>&, const SolidStress<D>&,               \
+                                                      const Nodes<D>&);                                                \
+    template PerCell<Tensor<D>> storedElementStress<D>(const Solids<D>&, const SmoothingDomains<D>&, const Nodes<D>&); \
+    template void storeSolidStress<D>(const SmoothingDomains<D>&, SolidStress<D>, PerNode<Stress<D>>&,                 \
                                       std::vector<Stress<D>>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)

@@ -22,14 +22,14 @@ void updateGradientDomains(const Problem<Dim>& problem, const Cells<Dim>& cells,
 /// Omega_I(x) / Omega_I of the domains: how much the volume of each node has grown; 1 outside the material. The nodal
 /// volume is the sum of its cells', so a node may have J > 0 beside an inverted cell.
 template <int Dim>
-std::vector<double> volumeRatio(const SmoothingDomains<Dim>& reference, const Points<Dim>& x);
+PerNode<double> volumeRatio(const SmoothingDomains<Dim>& reference, const Points<Dim>& x);
 
 /// The solid's stress in one iterate.
 template <int Dim>
 struct SolidStress {
-    std::vector<Stress<Dim>> point;  // per stress point: sigma, or s (see solidStress) where there is a pressure
-    std::vector<double> pressure;    // velocityPressure: p per node, zero outside the material; else empty
-    History history = {};            // per stress point: what the laws remember at the end of the step
+    PerPoint<Stress<Dim>> point;  // sigma, or s (see solidStress) where there is a pressure
+    PerNode<double> pressure;     // velocityPressure: p, zero outside the material; else empty
+    History history = {};         // per stress point: what the laws remember at the end of the step
 };
 
 /// sigma^{n+1} of every stress point from sigma^n (stored in old.sigma or cells.sigma) and the trial motion, evaluated
@@ -47,18 +47,18 @@ SolidStress<Dim> solidStress(const Solids<Dim>& solids, const SmoothingDomains<D
 /// tau_s C : (d_e - fromPoints(d)_e), which vanishes for linear velocity fields and for elemental integration.
 ///   domains: updateGradientDomains;  end: at trial.x
 template <int Dim>
-std::vector<Tensor<Dim>> solidElementStress(const Solids<Dim>& solids, const SmoothingDomains<Dim>& domains,
-                                            const SmoothingDomains<Dim>& end, const SolidStress<Dim>& stress,
-                                            const Nodes<Dim>& trial);
+PerCell<Tensor<Dim>> solidElementStress(const Solids<Dim>& solids, const SmoothingDomains<Dim>& domains,
+                                        const SmoothingDomains<Dim>& end, const SolidStress<Dim>& stress,
+                                        const Nodes<Dim>& trial);
 
 /// The same for a state as it is stored, with the domains at its positions.
 template <int Dim>
-std::vector<Tensor<Dim>> storedElementStress(const Solids<Dim>& solids, const SmoothingDomains<Dim>& domains,
-                                             const Nodes<Dim>& nodes);
+PerCell<Tensor<Dim>> storedElementStress(const Solids<Dim>& solids, const SmoothingDomains<Dim>& domains,
+                                         const Nodes<Dim>& nodes);
 
 /// Store the accepted stress at nodes and, elemental, in cells: sigma = s - p I; see storeFromPoints.
 template <int Dim>
-void storeSolidStress(const SmoothingDomains<Dim>& domains, SolidStress<Dim> stress, std::vector<Stress<Dim>>& nodal,
+void storeSolidStress(const SmoothingDomains<Dim>& domains, SolidStress<Dim> stress, PerNode<Stress<Dim>>& nodal,
                       std::vector<Stress<Dim>>& cell);
 
 /// tau_s = alpha h sqrt(rho/E) [s].

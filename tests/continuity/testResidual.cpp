@@ -20,7 +20,7 @@ struct Fluid {
     TestCase c;
     Topology<2> topology;
     SmoothingDomains<2> patches;
-    std::vector<double> tau;
+    PerCell<double> tau;
     int n;
 
     explicit Fluid(TestCase testCase)
@@ -48,9 +48,9 @@ struct Fluid {
         const auto projected = projectedCells<2>(controls, c.problem, c.state.mesh.fluid, topology, old);
         return continuityResidual<2>(step, controls, fluid, {tau, projected}, {trial, middle, {}, Vec<2>::Zero()});
     }
-    std::vector<double> viscosities() const {
-        return std::vector<double>(c.state.mesh.fluid.size(),
-                                   c.problem.materials[c.state.mesh.fluid.material[0]].fluid.law->viscosity(0, 0));
+    PerCell<double> viscosities() const {
+        return PerCell<double>(c.state.mesh.fluid.size(),
+                               c.problem.materials[c.state.mesh.fluid.material[0]].fluid.law->viscosity(0, 0));
     }
 };
 

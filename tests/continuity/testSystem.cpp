@@ -32,8 +32,8 @@ struct Coupled {
     MidpointRule midpoint{2e-3};
     SmoothingDomains<2> fluid = makeSmoothingDomains<2>(c.state.mesh.fluid.nodes, topology.fluid, x);
     SmoothingDomains<2> solid = makeSmoothingDomains<2>(c.state.mesh.solid.nodes, topology.solid, x);
-    std::vector<double> mu = std::vector<double>(c.state.mesh.fluid.size(), 3.0);  // of the water
-    std::vector<double> tau = stabilisation<2>(c.problem, c.state.mesh.fluid, fluid, mu, c.state.nodes.v, midpoint.dt);
+    PerCell<double> mu = PerCell<double>(c.state.mesh.fluid.size(), 3.0);  // of the water
+    PerCell<double> tau = stabilisation<2>(c.problem, c.state.mesh.fluid, fluid, mu, c.state.nodes.v, midpoint.dt);
     int n = c.state.nodes.size();
     SolidDofs<2> dofs = solidDofs<2>(topology.solid, constraints);
     SymmetricMatrix A = solidMatrix();
@@ -46,7 +46,7 @@ struct Coupled {
                                     matrixInertia<2>(mass, Points<2>(mass.size(), Vec<2>::Zero()), midpoint),
                                     c.state.nodes.h, midpoint);
     }
-    std::vector<unsigned char> projected(const ContinuityControls& controls) const {
+    PerCell<unsigned char> projected(const ContinuityControls& controls) const {
         return projectedCells<2>(controls, c.problem, c.state.mesh.fluid, topology, c.state.nodes);
     }
     Step<2> step(const Problem<2>& problem) const {
@@ -59,7 +59,7 @@ struct Coupled {
         return {step(c.problem), controls, phase(c.problem), {tau, projected(controls)}, x, {dofs, A}};
     }
     /// R_c of pressure p and velocities v without gravity.
-    std::vector<double> residual(const std::vector<double>& stabilisationTime, const std::vector<double>& p,
+    std::vector<double> residual(const PerCell<double>& stabilisationTime, const std::vector<double>& p,
                                  const Points<2>& v) const {
         Problem<2> problem = c.problem;
         problem.gravity.setZero();
@@ -97,7 +97,7 @@ TEST(ContinuitySystem, schurTermIsALargerStabilisation) {
     auto R = randomNumbers(s.n, 1);
     const auto dp = s.system(controls).solve(R);
     // tau L + s dt/rho L, surface 3 tau_n M_G: from residuals with other taus
-    std::vector<double> more = s.tau;
+    PerCell<double> more = s.tau;
     for (double& t : more) t += 1.5 * s.midpoint.dt / 1000;
     const auto volume = s.residual(more, dp, s.still());
     std::vector<double> surface(s.n, 0.0);
@@ -127,7 +127,8 @@ TEST(ContinuitySystem, complianceOfTheMovingBoundary) {
     const auto R = randomNumbers(s.n, 1);
     const auto dp = s.system(controls).solve(R);
 
-    const std::vector<double> zeroTau(s.tau.size(), 0.0), zero(s.n, 0.0);
+    const PerCell<double> zeroTau(s.tau.size(), 0.0);
+    const std::vector<double> zero(s.n, 0.0);
     const auto divergence = [&](int node, const Vec<2>& direction) {
         Points<2> v = s.still();
         v[node] = direction;

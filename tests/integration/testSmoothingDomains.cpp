@@ -115,7 +115,7 @@ TEST(Patches, constantStressGivesNoForceInside) {
     sigma << 2, 0.7, 0.7, -1;
     for (const auto* patches : p.both) {
         Points<2> force(p.n, Vec<2>::Zero());
-        addInternalForce<2>(*patches, std::vector<Tensor<2>>(patches->nCells(), sigma), force);
+        addInternalForce<2>(*patches, PerCell<Tensor<2>>(patches->nCells(), sigma), force);
         const auto boundary = p.boundary(*patches);
         Points<2> expected(p.n, Vec<2>::Zero());  // on the boundary: sigma n |face|/2
         for (const auto& face : boundaryFaces<2>(*patches->cells, *patches->around))
@@ -138,7 +138,7 @@ TEST(Patches, forceIsConjugateToTheNodalRates) {
     Pair p;
     const auto v = randomVectors(p.n, 1);
     const auto a = randomVectors(p.n, 2), b = randomVectors(p.n, 3);
-    std::vector<Tensor<2>> sigma(p.n);
+    PerNode<Tensor<2>> sigma(p.n);
     for (int i = 0; i < p.n; ++i) sigma[i] << a[i][0], a[i][1], a[i][1], b[i][0];
     for (const auto* patches : p.both) {
         Points<2> force(p.n, Vec<2>::Zero());

@@ -26,15 +26,15 @@ struct Fluid {
     void useMud() {
         for (auto& m : c.problem.materials) m.fluid.law = herschelBulkley({mu, 0.6, 20, 0.5});
     }
-    Points<2> force(const std::vector<Tensor<2>>& stress) const {
+    Points<2> force(const PerCell<Tensor<2>>& stress) const {
         Points<2> f(n, Vec<2>::Zero());
         addInternalForce<2>(patches, stress, f);
         return f;
     }
-    Points<2> viscous(const Points<2>& v, const std::vector<double>& bulk = {}) const {
+    Points<2> viscous(const Points<2>& v, const PerPoint<double>& bulk = {}) const {
         return force(fluidTangentStress<2>(patches, {viscosities(), {}, {}}, v, bulk));
     }
-    std::vector<double> viscosities() const {
+    PerPoint<double> viscosities() const {
         return flowViscosity<2>(c.problem, c.state.mesh.fluid, patches, c.state.nodes.v, c.state.nodes.p).mu;
     }
     double area() const {
@@ -52,7 +52,7 @@ struct Fluid {
 TEST(ViscousOperator, symmetricPositiveSemidefinite) {
     Fluid f;
     for (const double bulk : {0.0, 7.0}) {
-        const std::vector<double> k = bulk > 0 ? std::vector<double>(f.n, bulk) : std::vector<double>{};
+        const PerPoint<double> k = bulk > 0 ? PerPoint<double>(f.n, bulk) : PerPoint<double>{};
         for (unsigned seed = 1; seed < 6; ++seed) {
             const auto u = randomVectors(f.n, seed), w = randomVectors(f.n, seed + 10);
             const double uw = dot(u, f.viscous(w, k)), wu = dot(w, f.viscous(u, k));
@@ -78,7 +78,7 @@ TEST(ViscousOperator, powerOfUniformRates) {
     L << 1, 0, 0, 1;  // 2 mu (d - tr(d)/3 I) : d
     EXPECT_NEAR(power(L), 2 * mu * (2 - 4.0 / 3), 1e-10);
     const auto v = f.linear(L);  // plus the bulk term tr(d)^2
-    EXPECT_NEAR(dot(v, f.viscous(v, std::vector<double>(f.n, 5))) / f.area(), 4.0 * mu / 3 + 5 * 4, 1e-10);
+    EXPECT_NEAR(dot(v, f.viscous(v, PerPoint<double>(f.n, 5))) / f.area(), 4.0 * mu / 3 + 5 * 4, 1e-10);
 }
 
 TEST(ViscousOperator, isTheDerivativeOfItsResidual) {

@@ -59,7 +59,7 @@ struct SolidCase {
     }
     /// Force of the damper alone: no stress.
     Points<2> dampingForce(const SolidControls& controls, const Nodes<2>& nodes) const {
-        const std::vector<Stress<2>> zero(nStressPoints<2>(patches(nodes.x)), Stress<2>::Zero());
+        const PerPoint<Stress<2>> zero(nStressPoints<2>(patches(nodes.x)), Stress<2>::Zero());
         return force(controls, nodes, {nodes, {zero, {}, {}}});
     }
     bool carries(int p) const { return isStressPoint<2>(patches(c.state.nodes.x), p); }

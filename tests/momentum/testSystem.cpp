@@ -50,7 +50,7 @@ TEST(MomentumSystem, solutionBalancesTheResidual) {
         if (theta > 0)
             for (double volume : fluid.volume) bulk.push_back(theta * 1000 * volume / midpoint.dt);
         Points<2> sum = R;
-        addInternalForce<2>(fluid, fluidTangentStress<2>(fluid, phase.viscosity, dv, bulk), sum);
+        addInternalForce<2>(fluid, fluidTangentStress<2>(fluid, phase.viscosity, dv, PerPoint<double>(bulk)), sum);
         Eigen::VectorXd u(dofs.n);
         for (std::size_t k = 0; k < dofs.node.size(); ++k) u.segment<2>(dofs.first[dofs.node[k]]) = dv[dofs.node[k]];
         const Eigen::VectorXd Au = A.multiply(u);  // carries the fluid's mass at the interface too
