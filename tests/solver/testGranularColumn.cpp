@@ -41,8 +41,8 @@ double runOut(double aspect) {
 }
 
 // In proportion to the aspect ratio a of low columns: 1.2 a in experiments with sand and grit (Lube et al. 2005), 2.2 a
-// of mu(I) and of discs with less friction (Lagree et al. 2011); exponent 0.9 +- 0.1 in channels of several widths
-// (Balmforth and Kerswell 2005).
+// of discs with less friction, and a little less of mu(I) (Lagree et al. 2011); exponent 0.9 +- 0.1 in channels of
+// several widths (Balmforth and Kerswell 2005).
 TEST(GranularColumn, runsOutInProportionToItsHeight) {
     const double low = runOut(0.5), high = runOut(1);
     for (const double part : {low / 0.5, high / 1}) {

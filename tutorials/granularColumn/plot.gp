@@ -12,6 +12,6 @@ end(a) = system(sprintf("pfemHistory -case study/a%s front front.dat | awk '/^ *
 set print $runs
 do for [a in "0.5 1 2 4"] { print sprintf("%s %g", a, end(a)) }
 unset print
-plot 2.2*x with lines lw 2 dt 2 lc rgb "#7799cc" title "mu(I) and discs (Lagree et al. 2011), 2.2 a", \
+plot 2.2*x with lines lw 2 dt 2 lc rgb "#7799cc" title "discs (Lagree et al. 2011), 2.2 a", \
      (x < 1.8 ? 1.2*x : x > 2.8 ? 1.9*x**(2.0/3) : 1/0) with lines lw 2 lc rgb "#7799cc" title "sand and grit (Lube et al. 2005), 1.2 a and 1.9 a^{2/3}", \
      $runs using 1:2 with linespoints pt 7 lw 1.6 lc rgb "black" title "libpfem"
