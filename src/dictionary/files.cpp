@@ -91,7 +91,7 @@ fs::path caseOf(const fs::path& file) {
         if (const auto folder = environment(variable); !folder.empty()) return folder;
     }
     std::error_code error;
-    const fs::path current = fs::current_path(error);
+    fs::path current = fs::current_path(error);
     for (fs::path folder = fs::absolute(file, error).parent_path(); folder.has_relative_path();
          folder = folder.parent_path()) {
         if (fs::exists(folder / "system/controlDict", error)) return folder;

@@ -48,7 +48,7 @@ PFEM_INLINE void substitute(const Stored* L, int m, int width, const double* bel
             for (int l = 0; l < lanes; ++l) sums[l] += column[width + i + l] * below[i + l];
         for (; i < r; ++i) sums[i % lanes] += column[width + i] * below[i];
         double sum = 0;
-        for (int l = 0; l < lanes; ++l) sum += sums[l];
+        for (const double part : sums) sum += part;
         for (i = k + 1; i < width; ++i) sum += column[i] * own[i];
         own[k] = own[k] / column[k] - sum;
     }
