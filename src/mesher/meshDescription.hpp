@@ -1,7 +1,6 @@
 #pragma once
 // What a user asks for in system/meshDict: bodies of fluid and solid, rigid walls, target sizes.
 
-#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -9,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/types.hpp"
+#include "mesher/nature.hpp"
 
 namespace pfem {
 
@@ -36,19 +36,11 @@ struct Outline {
     int nEdges() const { return static_cast<int>(points.size()) - (closed ? 0 : 1); }
 };
 
-enum class BodyType { fluid, solid };
-
 /// unstructured: nearly equilateral triangles. The others divide a four-sided body into nx by ny cells:
 /// checkerboard: the diagonal turns from cell to cell; oneWay: all alike; crossed: four triangles a cell.
 enum class Pattern { unstructured, checkerboard, oneWay, crossed };
 
-struct Body : Outline {
-    Vec<2> velocityAt(const Vec<2>& x) const { return velocityField ? velocityField(x) : velocity; }
-
-    BodyType type = BodyType::fluid;
-    std::string material;
-    Vec<2> velocity = Vec<2>::Zero();                    // initial [m/s]
-    std::function<Vec<2>(const Vec<2>&)> velocityField;  // initial, of the place; empty: uniform
+struct Body : Outline, Nature<2> {
     Pattern pattern = Pattern::unstructured;
     std::array<int, 2> cells = {0, 0};                               // along edges 0-1 and 1-2; 0: from meshSize
     std::vector<std::string> holes;                                  // bodies whose outlines are cut out of this one

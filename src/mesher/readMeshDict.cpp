@@ -3,20 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
-
-#include "dictionary/expression.hpp"
-#include "dictionary/function1.hpp"
 
 namespace pfem {
 
 namespace {
-
-Vec<2> toPoint(const Dictionary& dict, const std::string& key, const std::vector<double>& c) {
-    if (c.size() == 2 || (c.size() == 3 && c[2] == 0)) return {c[0], c[1]};
-    if (c.size() == 3) dict.fatal(key, fmt::format("'{}' leaves the plane: z is {:g} there; write (x y)", key, c[2]));
-    dict.fatal(key, fmt::format("A point of '{}' has {} coordinates; write (x y)", key, c.size()));
-}
 
 double readSize(const Dictionary& dict) {
     if (!dict.found("meshSize")) return 0;
@@ -36,34 +26,11 @@ std::vector<ArcEdge> readArcs(const Dictionary& dict) {
         ArcEdge arc;
         arc.from = tokens.read<int>();
         arc.to = tokens.read<int>();
-        arc.through = toPoint(dict, "edges", tokens.read<std::vector<double>>());
+        arc.through = toPoint<2>(dict, "edges", tokens.read<std::vector<double>>());
         arcs.push_back(arc);
     });
     tokens.end();
     return arcs;
-}
-
-/// velocity (1 0);  or by the place:  velocity expression ("-2*y" "2*x");
-void readVelocity(const Dictionary& dict, Body& body) {
-    if (!dict.found("velocity")) return;
-    TokenReader tokens = dict.reader("velocity");
-    if (!tokens.peek().isWord()) {
-        body.velocity = toPoint(dict, "velocity", dict.get<std::vector<double>>("velocity"));
-        return;
-    }
-    const auto word = tokens.read<std::string>();
-    if (word != "expression") dict.fatal("velocity", notValid(word, "function of the place", {"expression"}));
-    const auto formulas = tokens.read<std::vector<std::string>>();
-    tokens.end();
-    if (formulas.size() != 2 && formulas.size() != 3)
-        dict.fatal("velocity", "A velocity needs a formula for each component: expression (\"-2*y\" \"2*x\")");
-    std::vector<std::shared_ptr<Expression>> u;
-    for (const auto& formula : formulas)
-        u.push_back(std::make_shared<Expression>(formula, std::vector<std::string>{"x", "y"}, dict.where("velocity")));
-    body.velocityField = [u, dict](const Vec<2>& x) {
-        if (u.size() == 3) demandPlane(dict, "velocity", (*u[2])({x[0], x[1]}));
-        return Vec<2>((*u[0])({x[0], x[1]}), (*u[1])({x[0], x[1]}));
-    };
 }
 
 void readOutline(const Dictionary& dict, const std::string& pointsKey, Outline& outline) {
@@ -73,26 +40,17 @@ void readOutline(const Dictionary& dict, const std::string& pointsKey, Outline& 
     TokenReader tokens = dict.reader(pointsKey);
     tokens.list([&] {
         outline.pointPlaces.push_back(tokens.peek().where());
-        outline.points.push_back(toPoint(dict, pointsKey, tokens.read<std::vector<double>>()));
+        outline.points.push_back(toPoint<2>(dict, pointsKey, tokens.read<std::vector<double>>()));
     });
     tokens.end();
     outline.arcs = readArcs(dict);
     outline.meshSize = readSize(dict);
 }
 
-/// What a body is, whatever gives its shape.
-void readNature(const Dictionary& dict, const std::vector<std::string>& materials, Body& body) {
-    body.type = dict.choice("type", {"fluid", "solid"}) == "fluid" ? BodyType::fluid : BodyType::solid;
-    body.material = dict.get<std::string>("material");
-    if (std::find(materials.begin(), materials.end(), body.material) == materials.end())
-        dict.fatal("material", notValid(body.material, "material", materials));
-    readVelocity(dict, body);
-}
-
 Body readBody(const Dictionary& dict, const std::vector<std::string>& materials) {
     Body body;
     readOutline(dict, "vertices", body);
-    readNature(dict, materials, body);
+    readNature<2>(dict, materials, body);
     const std::vector<std::string> patterns = {"unstructured", "checkerboard", "oneWay", "crossed"};
     const auto pattern = dict.choice("pattern", patterns, "unstructured");
     body.pattern = static_cast<Pattern>(std::find(patterns.begin(), patterns.end(), pattern) - patterns.begin());
@@ -134,7 +92,7 @@ void readGroup(const Dictionary& dict, Outline& outline, std::string& group) {
 Body readFileBody(const Dictionary& dict, const std::vector<std::string>& materials) {
     Body body;
     readGroup(dict, body, body.group);
-    readNature(dict, materials, body);
+    readNature<2>(dict, materials, body);
     if (dict.found("vertices")) dict.fatal("vertices", "A body of a mesh file has no vertices but a group");
     const Dictionary patches = dict.subDictOrEmpty("patches");
     for (const auto& name : patches.keys()) body.edgeGroups[name] = readGroupName(patches.subDict(name), name);
@@ -159,7 +117,9 @@ Refinement readRefinement(const Dictionary& dict) {
     refinement.box = dict.choice("type", {"box", "curve"}) == "box";
     refinement.meshSize = readSize(dict);
     if (refinement.meshSize == 0) dict.fatal("meshSize", "A refinement needs a meshSize");
-    const auto point = [&](const std::string& key) { return toPoint(dict, key, dict.get<std::vector<double>>(key)); };
+    const auto point = [&](const std::string& key) {
+        return toPoint<2>(dict, key, dict.get<std::vector<double>>(key));
+    };
     if (refinement.box) {
         refinement.points = {point("min"), point("max")};
         if (!((refinement.points[1] - refinement.points[0]).minCoeff() > 0))
@@ -167,7 +127,7 @@ Refinement readRefinement(const Dictionary& dict) {
         return refinement;
     }
     for (const auto& c : dict.get<std::vector<std::vector<double>>>("points"))
-        refinement.points.push_back(toPoint(dict, "points", c));
+        refinement.points.push_back(toPoint<2>(dict, "points", c));
     if (refinement.points.size() < 2) dict.fatal("points", "A curve needs two points at least");
     for (std::size_t i = 0; i + 1 < refinement.points.size(); ++i)
         if (refinement.points[i] == refinement.points[i + 1])
