@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "application/dimension.hpp"
 #include "application/runApplication.hpp"
 #include "application/timeRanges.hpp"
+#include "conditions/boundaryConditions.hpp"
 #include "io/stateFiles.hpp"
 #include "mesh/checkMesh.hpp"
 #include "mesh/simplex.hpp"
@@ -17,41 +19,70 @@ using namespace pfem;
 
 namespace {
 
-void printShapes(const char* kind, const Cells<2>& cells, const CellShapes& shapes, const Points<2>& x) {
+/// "0.1 0.2", "0.1 0.2 0.3"
+template <int Dim>
+std::string coordinates(const Vec<Dim>& x) {
+    std::string text = fmt::format("{:.6g} {:.6g}", x[0], x[1]);
+    if (Dim == 3) text += fmt::format(" {:.6g}", x[Dim - 1]);
+    return text;
+}
+
+template <int Dim>
+void printShapes(const char* kind, const Cells<Dim>& cells, const CellShapes& shapes, const Points<Dim>& x) {
     if (cells.size() == 0) return;
-    fmt::print("{}: {} triangles, quality 2 r/R (1: equilateral)\n", kind, cells.size());
+    if (Dim == 2)
+        fmt::print("{}: {} triangles, quality 2 r/R (1: equilateral)\n", kind, cells.size());
+    else
+        fmt::print("{}: {} tetrahedra, quality 3 r/R (1: regular)\n", kind, cells.size());
     for (std::size_t k = 0; k < shapes.histogram.size(); ++k)
         if (shapes.histogram[k] > 0)
             fmt::print("  {:.1f} - {:.1f} {:>9} {}\n", 0.1 * static_cast<double>(k), 0.1 * static_cast<double>(k + 1),
                        shapes.histogram[k],
                        std::string(static_cast<std::size_t>(50.0 * shapes.histogram[k] / cells.size()), '#'));
-    const Vec<2> worst = simplexCentroid<2>(x, cells.nodes[static_cast<std::size_t>(shapes.worstCell)]);
-    fmt::print("  worst {:.3f} at ({:.6g} {:.6g})\n", shapes.worst, worst[0], worst[1]);
+    const Vec<Dim> worst = simplexCentroid<Dim>(x, cells.nodes[static_cast<std::size_t>(shapes.worstCell)]);
+    fmt::print("  worst {:.3f} at ({})\n", shapes.worst, coordinates<Dim>(worst));
 }
 
-void printFaults(const std::vector<MeshFault>& faults, const char* mark) {
+template <int Dim>
+void printFaults(const std::vector<MeshFault<Dim>>& faults, const char* mark) {
     constexpr std::size_t shown = 10;
     for (std::size_t k = 0; k < std::min(shown, faults.size()); ++k)
-        fmt::print("  {}{} at ({:.6g} {:.6g})\n", mark, faults[k].what, faults[k].where[0], faults[k].where[1]);
+        fmt::print("  {}{} at ({})\n", mark, faults[k].what, coordinates<Dim>(faults[k].where));
     if (faults.size() > shown) fmt::print("  {}and {} more\n", mark, faults.size() - shown);
 }
 
 /// False when there are faults.
-bool printCheck(const State<2>& state, const MeshCheck& check) {
-    printShapes("Fluid", state.mesh.fluid, check.fluid, state.nodes.x);
-    printShapes("Solid", state.mesh.solid, check.solid, state.nodes.x);
-    if (state.mesh.fluid.size() > 0)
-        fmt::print("Boundary of the fluid: free surface {:.6g} m in {} pieces, walls {:.6g} m, solids {:.6g} m\n",
-                   check.freeSurface, check.pieces, check.wetWalls, check.interface);
+template <int Dim>
+bool printCheck(const State<Dim>& state, const MeshCheck<Dim>& check) {
+    printShapes<Dim>("Fluid", state.mesh.fluid, check.fluid, state.nodes.x);
+    printShapes<Dim>("Solid", state.mesh.solid, check.solid, state.nodes.x);
+    if (const char* unit = Dim == 2 ? "m" : "m2"; state.mesh.fluid.size() > 0)
+        fmt::print("Boundary of the fluid: free surface {:.6g} {} in {} pieces, walls {:.6g} {}, solids {:.6g} {}\n",
+                   check.freeSurface, unit, check.pieces, check.wetWalls, unit, check.interface, unit);
     const auto& drops = state.nodes.dropVolume;
     if (const auto n = std::count_if(drops.begin(), drops.end(), [](double volume) { return volume > 0; }); n > 0)
-        fmt::print("Drops in flight: {} nodes, {:.3g} m2\n", n, std::accumulate(drops.begin(), drops.end(), 0.0));
-    printFaults(check.faults, "***");
-    printFaults(check.gaps, "*");
+        fmt::print("Drops in flight: {} nodes, {:.3g} m{}\n", n, std::accumulate(drops.begin(), drops.end(), 0.0), Dim);
+    printFaults<Dim>(check.faults, "***");
+    printFaults<Dim>(check.gaps, "*");
     // while a run goes on, a narrow gap is a contact to come
     const std::size_t failed = check.faults.size() + (state.time.index == 0 ? check.gaps.size() : 0);
     fmt::print("{}\n\n", failed == 0 ? "Mesh OK." : fmt::format("Failed {} mesh checks.", failed));
     return failed == 0;
+}
+
+template <int Dim>
+std::vector<PatchKind> patchKinds(const Case& theCase, const State<Dim>& state) {
+    if constexpr (Dim == 2) return readProblem<2>(theCase, state).conditions.kind;
+    const Dictionary conditions = Dictionary::read(theCase.constant("boundaryConditions"));
+    return readBoundaryConditions<Dim>(conditions, state.mesh.patches).kind;
+}
+
+template <int Dim>
+bool checkTime(const Case& theCase, const std::string& time) {
+    const State<Dim> state = readState<Dim>(theCase.time(time));
+    const auto topology = makeTopology<Dim>(state.mesh, patchKinds<Dim>(theCase, state), state.nodes.wall);
+    fmt::print("Time = {}\n\n", time);
+    return printCheck<Dim>(state, checkMesh<Dim>(state.mesh, topology, state.nodes.x, state.nodes.h));
 }
 
 }  // namespace
@@ -63,11 +94,9 @@ int main(int argc, char** argv) {
         const Case theCase = options.openCase();
         bool good = true;
         for (const auto& time : selectTimes(theCase, options)) {
-            const State<2> state = readState<2>(theCase.time(time.name));
-            const auto kinds = readProblem<2>(theCase, state).conditions.kind;
-            const auto topology = makeTopology<2>(state.mesh, kinds, state.nodes.x, state.nodes.wall);
-            fmt::print("Time = {}\n\n", time.name);
-            good = printCheck(state, checkMesh(state.mesh, topology, state.nodes.x, state.nodes.h)) && good;
+            const bool sound = withDimension(
+                theCase.time(time.name), [&](auto dim) { return checkTime<decltype(dim)::value>(theCase, time.name); });
+            good = sound && good;
         }
         fmt::print("End\n\n");
         return good ? 0 : 1;

@@ -7,7 +7,9 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
+#include <vtkPolyData.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 #include <vtkZLibDataCompressor.h>
@@ -160,6 +162,25 @@ vtkSmartPointer<vtkUnstructuredGrid> readGrid(const std::filesystem::path& file)
               grid->GetCellTypesArray()->GetNumberOfValues() != grid->GetNumberOfCells())))
             fail("cannot read", file, "arrays 'offsets', 'connectivity' and 'types' contradict each other");
     return grid;
+}
+
+vtkSmartPointer<vtkPolyData> readPolyData(const std::filesystem::path& file) {
+    VtkErrors errors;
+    auto reader = vtkSmartPointer<vtkXMLPolyDataReader>::New();
+    reader->AddObserver(vtkCommand::ErrorEvent, errors.observer());
+    reader->SetReaderErrorObserver(errors.observer());
+    reader->SetParserErrorObserver(errors.observer());
+    reader->SetFileName(file.c_str());
+    try {
+        reader->Update();
+    } catch (const std::exception& error) {  // sizes that no memory can hold
+        fail("cannot read", file, std::string("truncated or corrupt (") + error.what() + ")");
+    }
+    if (!errors.message().empty() || reader->GetErrorCode() != vtkErrorCode::NoError)
+        fail("cannot read", file, "truncated or corrupt (" + errors.message() + ")");
+    vtkPolyData* data = reader->GetOutput();
+    if (data == nullptr || data->GetPoints() == nullptr) fail("cannot read", file, "array 'Points' is missing");
+    return data;
 }
 
 }  // namespace pfem

@@ -1,6 +1,7 @@
 #pragma once
 // One .vtu file, with VTK's silent failures turned into errors. Internal to src/io.
 
+#include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -15,5 +16,8 @@ void writeGrid(const std::filesystem::path& file, vtkUnstructuredGrid* grid);
 /// Throws UserError when the file is missing, truncated or not a grid. What a sound grid contains is
 /// for the caller to check.
 vtkSmartPointer<vtkUnstructuredGrid> readGrid(const std::filesystem::path& file);
+
+/// The same for surfaces (.vtp).
+vtkSmartPointer<vtkPolyData> readPolyData(const std::filesystem::path& file);
 
 }  // namespace pfem

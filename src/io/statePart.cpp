@@ -169,5 +169,6 @@ Part<Dim> readPart(const std::filesystem::path& folder, const std::string& name,
 }
 
 template Part<2> readPart<2>(const std::filesystem::path&, const std::string&, const std::string&, const UniformTime&);
+template Part<3> readPart<3>(const std::filesystem::path&, const std::string&, const std::string&, const UniformTime&);
 
 }  // namespace pfem

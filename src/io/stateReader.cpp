@@ -142,5 +142,6 @@ State<Dim> readState(const std::filesystem::path& folder) {
 }
 
 template State<2> readState<2>(const std::filesystem::path&);
+template State<3> readState<3>(const std::filesystem::path&);
 
 }  // namespace pfem

@@ -113,5 +113,6 @@ void writeState(const std::filesystem::path& folder, const State<Dim>& state, co
 }
 
 template void writeState<2>(const std::filesystem::path&, const State<2>&, const ExtraFields&);
+template void writeState<3>(const std::filesystem::path&, const State<3>&, const ExtraFields&);
 
 }  // namespace pfem

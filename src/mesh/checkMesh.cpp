@@ -1,11 +1,15 @@
 #include "mesh/checkMesh.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
+#include "mesh/bins.hpp"
 #include "mesh/distance.hpp"
 #include "mesh/simplex.hpp"
+#include "mesh/wallSupports.hpp"
 
 namespace pfem {
 
@@ -18,28 +22,52 @@ double quality(const Points<2>& x, const Simplex<2>& s) {
     return a * b * c > 0 ? 16 * area * area / (a * b * c * (a + b + c)) : 0;
 }
 
-CellShapes shapesOf(const Points<2>& x, const std::vector<Simplex<2>>& cells, std::vector<MeshFault>& faults) {
+/// 3 r/R with r = 3 V / (sum of the faces) and R = |a^2 (b x c) + b^2 (c x a) + c^2 (a x b)| / (12 V).
+double quality(const Points<3>& x, const Simplex<3>& s) {
+    const Vec<3> a = x[s[1]] - x[s[0]], b = x[s[2]] - x[s[0]], c = x[s[3]] - x[s[0]];
+    const double volume = std::abs(simplexMeasure<3>(x, s));
+    double faces = 0;
+    for (int k = 0; k < 4; ++k) faces += faceArea<3>(x, oppositeFace<3>(s, k)).norm();
+    const double twelveVR =
+        (a.squaredNorm() * b.cross(c) + b.squaredNorm() * c.cross(a) + c.squaredNorm() * a.cross(b)).norm();
+    return faces * twelveVR > 0 ? 108 * volume * volume / (faces * twelveVR) : 0;
+}
+
+template <int Dim>
+CellShapes shapesOf(const Points<Dim>& x, const std::vector<Simplex<Dim>>& cells, std::vector<MeshFault<Dim>>& faults) {
     CellShapes shapes;
     for (int e = 0; e < static_cast<int>(cells.size()); ++e) {
         const double q = quality(x, cells[e]);
         ++shapes.histogram[static_cast<std::size_t>(std::clamp(static_cast<int>(10 * q), 0, 9))];
         if (shapes.worstCell < 0 || q < shapes.worst) shapes.worst = q, shapes.worstCell = e;
-        if (simplexMeasure<2>(x, cells[e]) > 0) continue;
+        if (simplexMeasure<Dim>(x, cells[e]) > 0) continue;
         ++shapes.inverted;
-        faults.push_back({"inverted triangle", simplexCentroid<2>(x, cells[e])});
+        faults.push_back({Dim == 2 ? "inverted triangle" : "inverted tetrahedron", simplexCentroid<Dim>(x, cells[e])});
     }
     return shapes;
 }
 
-void findCrowdedEdges(const Points<2>& x, const std::vector<Simplex<2>>& cells, std::vector<MeshFault>& faults) {
-    std::map<std::pair<int, int>, int> count;
+template <int Dim>
+void findCrowdedFaces(const Points<Dim>& x, const std::vector<Simplex<Dim>>& cells,
+                      std::vector<MeshFault<Dim>>& faults) {
+    std::map<Face<Dim>, int> count;
     for (const auto& s : cells)
-        for (std::size_t k = 0; k < 3; ++k) ++count[std::minmax(s[k], s[(k + 1) % 3])];
-    for (const auto& [edge, n] : count)
-        if (n > 2) faults.push_back({"edge of more than two triangles", 0.5 * (x[edge.first] + x[edge.second])});
+        for (int k = 0; k <= Dim; ++k) {
+            Face<Dim> face = oppositeFace<Dim>(s, k);
+            std::sort(face.begin(), face.end());
+            ++count[face];
+        }
+    for (const auto& [face, n] : count) {
+        if (n <= 2) continue;
+        Vec<Dim> middle = Vec<Dim>::Zero();
+        for (const int i : face) middle += x[i] / Dim;
+        faults.push_back({Dim == 2 ? "edge of more than two triangles" : "face of more than two tetrahedra", middle});
+    }
 }
 
-void findTwins(const Mesh<2>& mesh, const Points<2>& x, const std::vector<double>& h, std::vector<MeshFault>& faults) {
+template <int Dim>
+void findTwins(const Mesh<Dim>& mesh, const Points<Dim>& x, const std::vector<double>& h,
+               std::vector<MeshFault<Dim>>& faults) {
     std::set<int> used;
     for (const auto* cells : {&mesh.fluid, &mesh.solid})
         for (const auto& s : cells->nodes) used.insert(s.begin(), s.end());
@@ -53,56 +81,107 @@ void findTwins(const Mesh<2>& mesh, const Points<2>& x, const std::vector<double
     }
 }
 
-void findGaps(const Mesh<2>& mesh, const Topology<2>& topology, const Points<2>& x, const std::vector<double>& h,
-              std::vector<MeshFault>& gaps) {
-    std::vector<Face<2>> solid;
+/// Faces of walls and of solids.
+template <int Dim>
+std::vector<Face<Dim>> obstacles(const Mesh<Dim>& mesh, const Topology<Dim>& topology) {
+    std::vector<Face<Dim>> faces;
     for (const auto& wall : topology.walls)
-        if (wall.patch >= 0) solid.push_back(wall.nodes);
-    for (const auto& face : boundaryFaces<2>(mesh.solid.nodes, topology.solid)) solid.push_back(face.nodes);
-    for (const auto& face : topology.faces) {
+        if (wall.patch >= 0) faces.push_back(wall.nodes);
+    for (const auto& face : boundaryFaces<Dim>(mesh.solid.nodes, topology.solid)) faces.push_back(face.nodes);
+    return faces;
+}
+
+template <int Dim>
+void findGaps(const Mesh<Dim>& mesh, const std::vector<FluidFace<Dim>>& faces, const Topology<Dim>& topology,
+              const Points<Dim>& x, const std::vector<double>& h, std::vector<MeshFault<Dim>>& gaps) {
+    const auto solid = obstacles<Dim>(mesh, topology);
+    double size = 0;
+    for (const double one : h) size = std::max(size, one);
+    Bins<Dim> bins(x, 2 * size);
+    for (std::size_t k = 0; k < solid.size(); ++k) {
+        Vec<Dim> low = x[solid[k][0]], high = low;
+        for (const int i : solid[k]) low = low.cwiseMin(x[i]).eval(), high = high.cwiseMax(x[i]).eval();
+        bins.add(static_cast<int>(k), low, high);
+    }
+    for (const auto& face : faces) {
         if (face.kind != FaceKind::freeSurface) continue;
-        const auto [i, j] = face.nodes;
-        const bool gap = std::any_of(solid.begin(), solid.end(), [&](const Face<2>& other) {
-            return distanceToFace<2>(x, other, x[i]) < 0.1 * h[i] && distanceToFace<2>(x, other, x[j]) < 0.1 * h[j];
+        Vec<Dim> middle = Vec<Dim>::Zero(), low = x[face.nodes[0]], high = low;
+        for (const int i : face.nodes) {
+            middle += x[i] / Dim;
+            low = low.cwiseMin(x[i] - Vec<Dim>::Constant(0.1 * h[i])).eval();
+            high = high.cwiseMax(x[i] + Vec<Dim>::Constant(0.1 * h[i])).eval();
+        }
+        const bool gap = bins.any(low, high, [&](int k) {
+            return std::all_of(face.nodes.begin(), face.nodes.end(),
+                               [&](int i) { return distanceToFace<Dim>(x, solid[k], x[i]) < 0.1 * h[i]; });
         });
-        if (gap)
-            gaps.push_back(
-                {"free surface along a wall or solid: a gap, or nodes that are not shared", 0.5 * (x[i] + x[j])});
+        if (gap) gaps.push_back({"free surface along a wall or solid: a gap, or nodes that are not shared", middle});
     }
 }
 
 /// Pieces of free surface that share nodes.
-int countPieces(const std::vector<FluidFace<2>>& faces) {
+template <int Dim>
+int countPieces(const std::vector<FluidFace<Dim>>& faces) {
     std::map<int, int> parent;
     const auto root = [&](int i) {
         while (parent.emplace(i, i).first->second != i) i = parent[i];
         return i;
     };
     for (const auto& face : faces)
-        if (face.kind == FaceKind::freeSurface) parent[root(face.nodes[1])] = root(face.nodes[0]);
+        if (face.kind == FaceKind::freeSurface)
+            for (int k = 1; k < Dim; ++k) parent[root(face.nodes[k])] = root(face.nodes[0]);
     return static_cast<int>(
         std::count_if(parent.begin(), parent.end(), [](const auto& p) { return p.first == p.second; }));
 }
 
+/// In space a face lies on a wall where all its nodes do, on sides with one normal: that of the face.
+void findWalls(const Mesh<3>& mesh, const Topology<3>& topology, const Points<3>& x, const std::vector<double>& h,
+               std::vector<FluidFace<3>>& faces) {
+    std::vector<bool> isWall(mesh.patches.size(), false);
+    for (const auto& wall : topology.walls)
+        if (wall.patch >= 0) isWall[wall.patch] = true;
+    double least = std::numeric_limits<double>::max();
+    for (const double one : h) least = std::min(least, one > 0 ? one : least);
+    const WallSupports<3> walls(mesh.patches, isWall, x, 1e-6 * least);
+    for (auto& face : faces) {
+        if (face.kind == FaceKind::interface) continue;
+        const Vec<3> normal = faceArea<3>(x, face.nodes).normalized();
+        const bool onWall = std::all_of(face.nodes.begin(), face.nodes.end(), [&](int i) {
+            const auto normals = walls.normalsAt(x[i]);
+            return std::any_of(normals.begin(), normals.end(), [&](const Vec<3>& n) { return n.dot(normal) > 0.9; });
+        });
+        face.kind = onWall ? FaceKind::wall : FaceKind::freeSurface;
+    }
+}
+
 }  // namespace
 
-MeshCheck checkMesh(const Mesh<2>& mesh, const Topology<2>& topology, const Points<2>& x,
-                    const std::vector<double>& h) {
-    MeshCheck check;
-    check.fluid = shapesOf(x, mesh.fluid.nodes, check.faults);
-    check.solid = shapesOf(x, mesh.solid.nodes, check.faults);
-    findCrowdedEdges(x, mesh.fluid.nodes, check.faults);
-    findCrowdedEdges(x, mesh.solid.nodes, check.faults);
-    findTwins(mesh, x, h, check.faults);
-    findGaps(mesh, topology, x, h, check.gaps);
-    for (const auto& face : topology.faces) {
-        const double length = faceArea<2>(x, face.nodes).norm();
+template <int Dim>
+MeshCheck<Dim> checkMesh(const Mesh<Dim>& mesh, const Topology<Dim>& topology, const Points<Dim>& x,
+                         const std::vector<double>& h) {
+    MeshCheck<Dim> check;
+    check.fluid = shapesOf<Dim>(x, mesh.fluid.nodes, check.faults);
+    check.solid = shapesOf<Dim>(x, mesh.solid.nodes, check.faults);
+    findCrowdedFaces<Dim>(x, mesh.fluid.nodes, check.faults);
+    findCrowdedFaces<Dim>(x, mesh.solid.nodes, check.faults);
+    findTwins<Dim>(mesh, x, h, check.faults);
+    auto faces = topology.faces;
+    if constexpr (Dim == 3) findWalls(mesh, topology, x, h, faces);
+    findGaps<Dim>(mesh, faces, topology, x, h, check.gaps);
+    for (const auto& face : faces) {
+        const double measure = faceArea<Dim>(x, face.nodes).norm();
         (face.kind == FaceKind::freeSurface ? check.freeSurface
          : face.kind == FaceKind::wall      ? check.wetWalls
-                                            : check.interface) += length;
+                                            : check.interface) += measure;
     }
-    check.pieces = countPieces(topology.faces);
+    check.pieces = countPieces<Dim>(faces);
     return check;
 }
+
+#define PFEM_INSTANTIATE(D)                                                                  \
+    template MeshCheck<D> checkMesh<D>(const Mesh<D>&, const Topology<D>&, const Points<D>&, \
+                                       const std::vector<double>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

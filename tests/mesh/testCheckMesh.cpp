@@ -9,7 +9,9 @@ using namespace test;
 
 namespace {
 
-MeshCheck check(const TestCase& c) { return checkMesh(c.state.mesh, c.topology(), c.state.nodes.x, c.state.nodes.h); }
+MeshCheck<2> check(const TestCase& c) {
+    return checkMesh<2>(c.state.mesh, c.topology(), c.state.nodes.x, c.state.nodes.h);
+}
 
 /// Water 1 x 0.5 with a solid on its right, on a floor.
 TestCase pair() {
@@ -23,7 +25,7 @@ TestCase pair() {
 
 TEST(CheckMesh, SoundPair) {
     const TestCase c = pair();
-    const MeshCheck result = check(c);
+    const MeshCheck<2> result = check(c);
     EXPECT_TRUE(result.faults.empty());
     EXPECT_TRUE(result.gaps.empty());
     EXPECT_NEAR(result.freeSurface, 1.5, 1e-9);
@@ -75,7 +77,7 @@ TEST(CheckMesh, FaultsAreFound) {
     for (auto& cell : twins.state.mesh.solid.nodes)
         for (int& i : cell)
             if (twin[i] >= 0) i = twin[i];
-    const MeshCheck result = check(twins);
+    const MeshCheck<2> result = check(twins);
     EXPECT_EQ(result.faults.size(), 6u);
     EXPECT_EQ(result.gaps.size(), 5u);
     EXPECT_NEAR(result.interface, 0, 1e-12);
