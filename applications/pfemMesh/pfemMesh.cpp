@@ -16,6 +16,8 @@
 #include "mesher/meshFile.hpp"
 #include "mesher/meshReport.hpp"
 #include "mesher/readMeshDict.hpp"
+#include "mesher/space/readSpaceDict.hpp"
+#include "mesher/space/spaceReport.hpp"
 #include "solver/checkProblem.hpp"
 
 using namespace pfem;
@@ -46,12 +48,14 @@ void warnOfLaterTimes(const Case& theCase) {
 }
 
 /// What the solver would say of the patches' conditions, as soon as there are patches. The mesh itself is sound.
-void checkConditions(const Case& theCase, const State<2>& state) {
+template <int Dim>
+void checkConditions(const Case& theCase, const State<Dim>& state) {
     const auto file = theCase.constant("boundaryConditions");
     if (!std::filesystem::exists(file)) return;
     try {
         const Dictionary dict = Dictionary::read(file);
-        pfem::checkConditions<2>(dict, readBoundaryConditions<2>(dict, state.mesh.patches), state);
+        const auto conditions = readBoundaryConditions<Dim>(dict, state.mesh.patches);
+        if constexpr (Dim == 2) pfem::checkConditions<2>(dict, conditions, state);
         warnUnused(dict, std::cerr);
     } catch (const UserError& error) {
         std::cerr << "--> PFEM Warning: pfemFsiFoam will refuse the conditions in " << toString(error.where()) << ": "
@@ -73,6 +77,31 @@ double memoryPeak() {  // [MB]
     return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
+/// Time 0 and what a user should know of it.
+template <int Dim>
+void write(const Case& theCase, const State<Dim>& state) {
+    writeState(theCase.time("0"), state);
+    writeSeries(theCase.root());
+    warnOfLaterTimes(theCase);
+    checkConditions<Dim>(theCase, state);
+}
+
+void meshPlane(const Case& theCase, const Dictionary& dict, double meshSize) {
+    const MeshDescription description = readMeshDict(dict, materialNames(theCase), meshSize);
+    warnUnused(dict, std::cerr);
+    const MeshResult mesh = makeMesh(theCase, description);
+    std::cout << meshReport(description, mesh) << std::flush;
+    write<2>(theCase, mesh.state);
+}
+
+void meshSpace(const Case& theCase, const Dictionary& dict, double meshSize) {
+    const SpaceDescription description = readSpaceDict(dict, materialNames(theCase), theCase.root(), meshSize);
+    warnUnused(dict, std::cerr);
+    const SpaceMeshResult mesh = buildSpaceMesh(description);
+    std::cout << spaceReport(description, mesh) << std::flush;
+    write<3>(theCase, mesh.state);
+}
+
 int run(const Options& options) {
     const auto start = std::chrono::steady_clock::now();
     const Case theCase = options.openCase();
@@ -80,16 +109,8 @@ int run(const Options& options) {
     const RunLock lock(theCase.root(), options.program());
 
     const Dictionary dict = Dictionary::read(theCase.system("meshDict"));
-    const MeshDescription description = readMeshDict(dict, materialNames(theCase), meshSizeOption(options));
-    warnUnused(dict, std::cerr);
-
-    const MeshResult mesh = makeMesh(theCase, description);
-    std::cout << meshReport(description, mesh) << std::flush;
-
-    writeState(theCase.time("0"), mesh.state);
-    writeSeries(theCase.root());
-    warnOfLaterTimes(theCase);
-    checkConditions(theCase, mesh.state);
+    const int dimension = meshDimension(dict, theCase.root());
+    (dimension == 3 ? meshSpace : meshPlane)(theCase, dict, meshSizeOption(options));
 
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     std::cout << fmt::format("\nWritten 0/\nExecutionTime = {:.2f} s  Memory = {:.0f} MB\n\nEnd\n", elapsed.count(),

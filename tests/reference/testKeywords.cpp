@@ -14,6 +14,7 @@
 #include "functions/functionObject.hpp"
 #include "material/material.hpp"
 #include "mesher/readMeshDict.hpp"
+#include "mesher/space/readSpaceDict.hpp"
 
 using namespace pfem;
 
@@ -88,6 +89,32 @@ TEST(Keywords, MeshDictIsComplete) {
         "group h; } } } } walls { w { group i; moving no; meshSize 1; } }");
     readMeshDict(file, {"oil"});
     expectDocumented(*file.node(), names(meshKeywords()), {"a", "p", "w"});
+}
+
+TEST(Keywords, MeshDictInSpaceIsComplete) {
+    const auto dict = Dictionary::parse(
+        "dimension 3; meshSize 0.1; geometry { b { type box; name c; min (0 0 0); max (1 1 1); } "
+        "y { type cylinder; point1 (0 0 0); point2 (0 0 1); radius 1; segments 24; } "
+        "k { type cone; point1 (0 0 0); radius1 1; point2 (0 0 1); radius2 0; } s { type sphere; centre (0 0 0); "
+        "radius 1; } "
+        "o { type sphere; origin (0 0 0); radius 1; } f { type plane; point (0 0 0); normal (0 0 1); side 1; } "
+        "d { type disk; origin (0 0 0); normal (0 0 1); radius 1; } "
+        "e { type extrude; vertices ((0 0) (1 0) (1 1)); from 0; height 1; } "
+        "r { type extrude; vertices ((0 0) (1 0) (1 1)); direction (0 0 1); } "
+        "t { type extrude; vertices ((0 0) (1 0) (1 1)); axis y; angle 90; } } "
+        "bodies { a { type solid; material oil; geometry c; subtract (y); intersect (s); meshSize 0.2; velocity (1 2 "
+        "3); "
+        "patches { p { faces (xMin); box (0 0 0) (1 1 1); } } } } "
+        "walls { w { geometry c; open (zMax); fluid inside; moving no; } } "
+        "refinements { x { type box; min (0 0 0); max (1 1 1); meshSize 1; } "
+        "z { type sphere; centre (0 0 0); radius 1; meshSize 1; } u { type surface; geometry y; distance 1; meshSize "
+        "1; } }");
+    EXPECT_EQ(meshDimension(dict, ""), 3);
+    readSpaceDict(dict, {"oil"}, "");
+    auto documented = names(spaceMeshKeywords());
+    documented.merge(names(meshKeywords()));
+    expectDocumented(*dict.node(), documented,
+                     {"a", "p", "w", "b", "y", "k", "s", "o", "f", "d", "e", "r", "t", "x", "z", "u"});
 }
 
 TEST(Keywords, ConstantIsComplete) {
