@@ -71,6 +71,14 @@ MeshResult makeMesh(const Case& theCase, const MeshDescription& description) {
     return takeMesh(description, readMeshFile(file, description.cellArray));
 }
 
+SpaceMeshResult makeSpaceMesh(const Case& theCase, const SpaceDescription& description) {
+    if (description.meshFile.empty()) return buildSpaceMesh(description);
+    const auto file = theCase.root() / description.meshFile;
+    if (!std::filesystem::exists(file))
+        throw UserError("cannot find file \"" + file.string() + "\"", description.places.of("meshFile"));
+    return takeSpaceMesh(description, readMeshFile<3>(file, description.cellArray));
+}
+
 double memoryPeak() {  // [MB]
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -97,7 +105,7 @@ void meshPlane(const Case& theCase, const Dictionary& dict, double meshSize) {
 void meshSpace(const Case& theCase, const Dictionary& dict, double meshSize) {
     const SpaceDescription description = readSpaceDict(dict, materialNames(theCase), theCase.root(), meshSize);
     warnUnused(dict, std::cerr);
-    const SpaceMeshResult mesh = buildSpaceMesh(description);
+    const SpaceMeshResult mesh = makeSpaceMesh(theCase, description);
     std::cout << spaceReport(description, mesh) << std::flush;
     write<3>(theCase, mesh.state);
 }

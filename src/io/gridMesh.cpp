@@ -16,6 +16,7 @@ namespace pfem {
 
 namespace {
 
+template <int Dim>
 class GridMeshReader {
 public:
     GridMeshReader(const std::filesystem::path& file, const std::string& cellArray) : grid_(readGrid(file)) {
@@ -28,13 +29,15 @@ public:
         words_ = vtkStringArray::SafeDownCast(grid_->GetFieldData()->GetAbstractArray((cellArray + "s").c_str()));
     }
 
-    ForeignMesh read() {
+    ForeignMeshOf<Dim> read() {
         double x[3];
         for (vtkIdType i = 0; i < grid_->GetNumberOfPoints(); ++i) {
             grid_->GetPoint(i, x);
-            if (!std::isfinite(x[0]) || !std::isfinite(x[1])) fail(fmt::format("point {} is not finite", i));
-            if (std::abs(x[2]) > 1e-6 * grid_->GetLength()) fail(fmt::format("point {} leaves the plane z = 0", i));
-            mesh_.x.push_back({x[0], x[1]});
+            if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || (Dim == 3 && !std::isfinite(x[2])))
+                fail(fmt::format("point {} is not finite", i));
+            if (Dim == 2 && std::abs(x[2]) > 1e-6 * grid_->GetLength())
+                fail(fmt::format("point {} leaves the plane z = 0", i));
+            mesh_.x.push_back(Eigen::Map<const Vec<Dim>>(x));
         }
         for (vtkIdType e = 0; e < grid_->GetNumberOfCells(); ++e) addCell(e);
         return std::move(mesh_);
@@ -54,12 +57,22 @@ private:
                 fail(fmt::format("cell {} refers to point {} of {}", e, points[i], grid_->GetNumberOfPoints()));
         const auto node = [&](vtkIdType i) { return static_cast<int>(points[i]); };
         const int type = grid_->GetCellType(e);
-        if (type == VTK_TRIANGLE && n == 3) {
-            mesh_.triangles.push_back({{node(0), node(1), node(2)}, group(2, e)});
-        } else if ((type == VTK_LINE || type == VTK_POLY_LINE) && n >= 2) {
-            for (vtkIdType i = 0; i + 1 < n; ++i) mesh_.edges.push_back({{node(i), node(i + 1)}, group(1, e)});
-        } else if (type != VTK_VERTEX && type != VTK_POLY_VERTEX) {
-            fail(fmt::format("cell {} is neither a triangle nor a line (VTK's type {})", e, type));
+        const bool isLine = (type == VTK_LINE || type == VTK_POLY_LINE) && n >= 2;
+        if (type == VTK_VERTEX || type == VTK_POLY_VERTEX) return;
+        if constexpr (Dim == 2) {
+            if (type == VTK_TRIANGLE && n == 3)
+                mesh_.cells.push_back({{node(0), node(1), node(2)}, group(2, e)});
+            else if (isLine)
+                for (vtkIdType i = 0; i + 1 < n; ++i) mesh_.faces.push_back({{node(i), node(i + 1)}, group(1, e)});
+            else
+                fail(fmt::format("cell {} is neither a triangle nor a line (VTK's type {})", e, type));
+        } else {
+            if (type == VTK_TETRA && n == 4)
+                mesh_.cells.push_back({{node(0), node(1), node(2), node(3)}, group(3, e)});
+            else if (type == VTK_TRIANGLE && n == 3)
+                mesh_.faces.push_back({{node(0), node(1), node(2)}, group(2, e)});
+            else if (!isLine)
+                fail(fmt::format("cell {} is neither a tetrahedron nor a triangle (VTK's type {})", e, type));
         }
     }
 
@@ -76,12 +89,13 @@ private:
     vtkSmartPointer<vtkUnstructuredGrid> grid_;
     vtkDataArray* values_ = nullptr;
     vtkStringArray* words_ = nullptr;
-    ForeignMesh mesh_;
+    ForeignMeshOf<Dim> mesh_;
 };
 
 }  // namespace
 
-ForeignMesh readGridMesh(const std::filesystem::path& file, const std::string& cellArray) {
+template <int Dim>
+ForeignMeshOf<Dim> readGridMesh(const std::filesystem::path& file, const std::string& cellArray) {
     // VTK's reader dies of some damaged files; those of our own form can be checked before.
     const std::string text = readText(file);
     if (text.find("vtkZLibDataCompressor") != std::string::npos &&
@@ -89,7 +103,10 @@ ForeignMesh readGridMesh(const std::filesystem::path& file, const std::string& c
         if (const Damage damage = damageOf(text); !damage.reason.empty() && !damage.foreign)
             throw UserError("cannot read \"" + file.string() + "\": truncated or corrupt (" + damage.reason + ")",
                             {file.string(), damage.line});
-    return GridMeshReader(file, cellArray).read();
+    return GridMeshReader<Dim>(file, cellArray).read();
 }
+
+template ForeignMeshOf<2> readGridMesh<2>(const std::filesystem::path&, const std::string&);
+template ForeignMeshOf<3> readGridMesh<3>(const std::filesystem::path&, const std::string&);
 
 }  // namespace pfem

@@ -1,5 +1,5 @@
 #pragma once
-// A mesh that another program has made: points, triangles and edges in groups.
+// A mesh that another program has made: points, cells and faces in groups.
 
 #include <string>
 #include <vector>
@@ -8,8 +8,10 @@
 
 namespace pfem {
 
-struct ForeignMesh {
-    /// A triangle (N = 3) or an edge (N = 2).
+/// In the plane triangles and edges, in space tetrahedra and triangles.
+template <int Dim>
+struct ForeignMeshOf {
+    /// A cell or a face with N nodes.
     template <int N>
     struct Element {
         std::array<int, N> nodes;
@@ -17,14 +19,14 @@ struct ForeignMesh {
         int line = 0;    // where it stands in the file; 0: not known
     };
     struct Group {
-        int dimension;  // 2: of triangles, 1: of edges
+        int dimension;  // 3: of tetrahedra, 2: of triangles, 1: of edges
         std::string name;
     };
 
     std::string file;
-    Points<2> x;
-    std::vector<Element<3>> triangles;
-    std::vector<Element<2>> edges;
+    Points<Dim> x;
+    std::vector<Element<Dim + 1>> cells;
+    std::vector<Element<Dim>> faces;
     std::vector<Group> groups;
     std::string remark;  // on its groups, for whoever looks for one in vain
 
@@ -41,5 +43,7 @@ struct ForeignMesh {
         return names;
     }
 };
+
+using ForeignMesh = ForeignMeshOf<2>;
 
 }  // namespace pfem

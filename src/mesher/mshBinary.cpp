@@ -20,8 +20,8 @@ std::string formatLine(const std::string& content) {
     return content.substr(end + 1, content.find('\n', end + 1) - end - 1);
 }
 
-/// Nodes of an element of Gmsh's types; the text's reader says which of them a mesh of the plane may have.
-const std::map<int, std::size_t> nodesOf{{15, 1}, {1, 2}, {2, 3}, {8, 3}, {3, 4}, {9, 6}};
+/// Nodes of an element of Gmsh's types; the text's reader says which of them a mesh may have.
+const std::map<int, std::size_t> nodesOf{{15, 1}, {1, 2}, {2, 3}, {8, 3}, {3, 4}, {9, 6}, {4, 4}, {11, 10}};
 
 class BinaryMsh {
 public:
@@ -186,7 +186,8 @@ private:
     std::size_t nodes(int type) const {
         const auto found = nodesOf.find(type);
         if (found == nodesOf.end())
-            bytes_.fail(fmt::format("Gmsh's element type {}: only lines (1) and triangles (2) are possible", type));
+            bytes_.fail(fmt::format(
+                "Gmsh's element type {}: only lines (1), triangles (2) and tetrahedra (4) are possible", type));
         return found->second;
     }
 

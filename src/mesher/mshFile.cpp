@@ -13,12 +13,16 @@ namespace pfem {
 
 namespace {
 
+/// Gmsh's number of an element of first order, and how many nodes it has.
+enum ElementType { line = 1, triangle = 2, quadrangle = 3, tetrahedron = 4, point = 15 };
+
+template <int Dim>
 class MshReader {
 public:
     MshReader(MshLines lines, std::string file) : lines_(std::move(lines)) { mesh_.file = std::move(file); }
 
     /// Whatever the order of the sections; those that are not needed are stepped over.
-    ForeignMesh read() {
+    ForeignMeshOf<Dim> read() {
         findSections();
         demandSection("MeshFormat");
         readFormat();
@@ -27,7 +31,7 @@ public:
         if (new_ && goTo("PartitionedEntities")) groups_.readPartitionedEntities(lines_);
         demandSection("Nodes");
         new_ ? readNodes4() : readNodes2();
-        checkPlane();
+        if constexpr (Dim == 2) checkPlane();
         demandSection("Elements");
         new_ ? readElements4() : readElements2();
         if (!inGroup_)
@@ -91,7 +95,9 @@ private:
         if (z > highest_.z) highest_ = {z, lines_.number()};
         if (!index_.emplace(tag, static_cast<int>(mesh_.x.size())).second)
             lines_.fail(fmt::format("a second node {}", tag));
-        mesh_.x.push_back({lines_.real(first), lines_.real(first + 1)});
+        Vec<Dim> x;
+        for (int d = 0; d < Dim; ++d) x[d] = lines_.real(first + static_cast<std::size_t>(d));
+        mesh_.x.push_back(x);
     }
 
     /// Geometry that was turned or moved in space lies in the plane but for rounding.
@@ -156,26 +162,37 @@ private:
 
     /// Once for each of its groups; without any it is in one that is called as its entity.
     void addElement(long type, std::size_t first, long entity, const std::vector<long>& groups) {
-        if (type == 15) return;  // a point
-        if (type == 8 || type == 9) lines_.fail("elements of second order: mesh with order 1");
-        if (type == 3) lines_.fail("a quadrangle: mesh with triangles");
-        if (type != 1 && type != 2)
-            lines_.fail(fmt::format("Gmsh's element type {}: only lines (1) and triangles (2) are possible", type));
-        lines_.need(first + (type == 1 ? 2 : 3));
-        const int dimension = static_cast<int>(type);
+        if (type == point) return;
+        if (type == 8 || type == 9 || type == 11) lines_.fail("elements of second order: mesh with order 1");
+        if (type == quadrangle) lines_.fail("a quadrangle: mesh with triangles");
+        if (type >= 5 && type <= 7) lines_.fail("a hexahedron, prism or pyramid: mesh with tetrahedra");
+        if (Dim == 2 && type == tetrahedron)
+            lines_.fail("a tetrahedron: for a mesh in space write dimension 3; into meshDict");
+        if (type != line && type != triangle && type != tetrahedron)
+            lines_.fail(fmt::format(
+                "Gmsh's element type {}: only lines (1), triangles (2) and tetrahedra (4) are possible", type));
+        if (Dim == 3 && type == line) return;
+        const int dimension = type == tetrahedron ? 3 : static_cast<int>(type);
+        lines_.need(first + static_cast<std::size_t>(dimension) + 1);
+        const char* word = type == line ? "curve" : type == triangle ? "surface" : "volume";
         if (groups.empty())
-            add(type, first,
-                entity == 0 ? -1
-                            : groupNamed(dimension, fmt::format("{} {}", type == 1 ? "curve" : "surface", entity)));
-        for (const long tag : groups) add(type, first, groupNamed(dimension, groups_.name(dimension, tag)));
+            add(dimension, first, entity == 0 ? -1 : groupNamed(dimension, fmt::format("{} {}", word, entity)));
+        for (const long tag : groups) add(dimension, first, groupNamed(dimension, groups_.name(dimension, tag)));
         inGroup_ = inGroup_ || !groups.empty();
     }
 
-    void add(long type, std::size_t first, int group) {
-        if (type == 1)
-            mesh_.edges.push_back({{node(first), node(first + 1)}, group, lines_.number()});
+    void add(int dimension, std::size_t first, int group) {
+        if (dimension == Dim)
+            mesh_.cells.push_back({nodes<Dim + 1>(first), group, lines_.number()});
         else
-            mesh_.triangles.push_back({{node(first), node(first + 1), node(first + 2)}, group, lines_.number()});
+            mesh_.faces.push_back({nodes<Dim>(first), group, lines_.number()});
+    }
+
+    template <int N>
+    std::array<int, N> nodes(std::size_t first) const {
+        std::array<int, N> found;
+        for (int k = 0; k < N; ++k) found[k] = node(first + static_cast<std::size_t>(k));
+        return found;
     }
 
     int node(std::size_t i) const {
@@ -203,17 +220,21 @@ private:
     std::map<long, int> index_;  // node tag -> index
     Highest highest_;
     bool inGroup_ = false;  // any element
-    ForeignMesh mesh_;
+    ForeignMeshOf<Dim> mesh_;
 };
 
 }  // namespace
 
-ForeignMesh readMsh(const std::filesystem::path& file) {
+template <int Dim>
+ForeignMeshOf<Dim> readMsh(const std::filesystem::path& file) {
     const std::string name = file.string();
     std::string content = fileText(file, {});
     const bool binary = isBinaryMsh(content);
     if (binary) content = textOfBinaryMsh(content, name);
-    return MshReader(MshLines(std::move(content), name, !binary), name).read();
+    return MshReader<Dim>(MshLines(std::move(content), name, !binary), name).read();
 }
+
+template ForeignMeshOf<2> readMsh<2>(const std::filesystem::path&);
+template ForeignMeshOf<3> readMsh<3>(const std::filesystem::path&);
 
 }  // namespace pfem

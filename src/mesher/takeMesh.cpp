@@ -35,7 +35,7 @@ public:
         for (std::size_t b = 0; b < description_.bodies.size(); ++b)
             addPatches(description_.bodies[b], result.bodies[b]);
         for (const auto& wall : description_.walls) addWall(wall);
-        if (const auto left = std::count_if(file_.triangles.begin(), file_.triangles.end(),
+        if (const auto left = std::count_if(file_.cells.begin(), file_.cells.end(),
                                             [&](const auto& t) { return t.group < 0 || !used_[t.group]; }))
             result.warnings.push_back(
                 fmt::format("{} triangles of {} belong to no body and are left out", left, file_.file));
@@ -66,7 +66,7 @@ private:
             const double length = (points_[a] - points_[b]).norm();
             if (length > 0) shortest = std::min(shortest, length);
         };
-        for (const auto& t : file_.triangles)
+        for (const auto& t : file_.cells)
             for (int k = 0; k < 3; ++k) edge(t.nodes[k], t.nodes[(k + 1) % 3]);
         tolerance_ = 1e-6 * shortest;
         joined_.resize(points_.size());
@@ -102,7 +102,7 @@ private:
         meshed.first = cells.size();
         const int material = materialIndex(draft_.mesh, body.material);
         std::map<int, std::pair<double, int>> lengths;  // of the edges at a node: sum and number
-        for (const auto& t : file_.triangles) {
+        for (const auto& t : file_.cells) {
             if (t.group != group) continue;
             std::array<int, 3> nodes = {node(t.nodes[0]), node(t.nodes[1]), node(t.nodes[2])};
             double twice = cross(draft_.x[nodes[1]] - draft_.x[nodes[0]], draft_.x[nodes[2]] - draft_.x[nodes[0]]);
@@ -164,7 +164,7 @@ private:
                                     body.at("patches"));
             const int group = groupOf(1, groupName, body.at("patches"));
             std::set<Face<2>> known;  // an edge of two entities may come twice
-            for (const auto& e : file_.edges) {
+            for (const auto& e : file_.faces) {
                 if (e.group != group) continue;
                 const int a = draftNode_[joined_[e.nodes[0]]], b = draftNode_[joined_[e.nodes[1]]];
                 const bool forward = own.count({a, b}) > 0;
@@ -186,7 +186,7 @@ private:
         const int group = groupOf(1, wall.group, wall.at(wall.places.count("group") ? "group" : ""));
         std::vector<WallEdge> edges;
         std::set<std::pair<int, int>> known;
-        for (const auto& e : file_.edges) {
+        for (const auto& e : file_.faces) {
             if (e.group != group) continue;
             const int a = node(e.nodes[0]), b = node(e.nodes[1]);
             if (known.insert(std::minmax(a, b)).second) edges.push_back({{a, b}, e.line});
@@ -217,7 +217,7 @@ private:
 }  // namespace
 
 MeshResult takeMesh(const MeshDescription& description, const ForeignMesh& file) {
-    if (file.triangles.empty()) throw UserError("there is no triangle in \"" + file.file + "\"", {file.file, 0});
+    if (file.cells.empty()) throw UserError("there is no triangle in \"" + file.file + "\"", {file.file, 0});
     return Taker(description, file).take();
 }
 

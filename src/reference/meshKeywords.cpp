@@ -26,7 +26,8 @@ std::vector<KeywordTable> meshKeywords() {
           {"walls", "dictionaries", "-", "optional", "the rigid walls by name", ""},
           {"refinements", "dictionaries", "-", "optional", "places of finer mesh by name", ""},
           {"meshFile", "file", "-", "optional",
-           "take the triangles of this file, relative to the case, instead of making them: Gmsh's .msh (2.2 or 4.1, "
+           "take the triangles or tetrahedra of this file, relative to the case, instead of making them: Gmsh's .msh "
+           "(2.2 or 4.1, "
            "text or binary) or .vtu",
            ""},
           {"scale", "scalar", "-", "1", "from the lengths of meshFile to metres", "> 0"},

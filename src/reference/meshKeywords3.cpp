@@ -62,6 +62,7 @@ std::vector<KeywordTable> spaceMeshKeywords() {
           size,
           {"velocity", "point", "m/s", "(0 0 0)", "initial velocity; of the place: expression (\"-2*y\" \"2*x\" \"0\")",
            ""},
+          {"group", "word", "-", "the body's name", "with meshFile, instead of geometry: its group of tetrahedra", ""},
           {"patches", "dictionaries", "-", "optional",
            "parts of the surface that constant/boundaryConditions speaks of", ""}}},
         {file,
@@ -71,7 +72,8 @@ std::vector<KeywordTable> spaceMeshKeywords() {
            "faces of its shapes: zMin, or pier.zMin where several have one; or a whole "
            "shape",
            ""},
-          {"box", "two points", "m", "optional", "and what lies in it: box (0 0 0) (1 1 0)", ""}}},
+          {"box", "two points", "m", "optional", "and what lies in it: box (0 0 0) (1 1 0)", ""},
+          {"group", "word", "-", "the patch's name", "with meshFile, instead of faces: its group of triangles", ""}}},
         {file,
          "in space: walls: each",
          "A shape from its fluid side: a tank is a box without its lid.",
@@ -82,6 +84,7 @@ std::vector<KeywordTable> spaceMeshKeywords() {
            "lies at "
            "the start",
            "one of: automatic inside outside"},
+          {"group", "word", "-", "the wall's name", "with meshFile, instead of geometry: its group of triangles", ""},
           {"moving", "bool", "-", "no", "it shares no point with other walls, so that it can leave or slide over them",
            ""}}},
         {file,

@@ -68,7 +68,7 @@ TEST(MeshFile, VtuOfATimeFolderGivesItsFluidAgain) {
     std::ifstream stream(folder.path / "0" / "fluid.vtu", std::ios::binary);
     const std::string text(std::istreambuf_iterator<char>(stream), {});
     const auto marked = readMeshFile(folder.write("marked.vtu", "\xEF\xBB\xBF" + text), "material");  // byte order mark
-    EXPECT_EQ(marked.triangles.size(), file.triangles.size());
+    EXPECT_EQ(marked.cells.size(), file.cells.size());
 }
 
 /// A square of two triangles with a wall below; line 15 on are the elements.

@@ -113,6 +113,12 @@ TEST(Keywords, MeshDictInSpaceIsComplete) {
     readSpaceDict(dict, {"oil"}, "");
     auto documented = names(spaceMeshKeywords());
     documented.merge(names(meshKeywords()));
+    const auto file = Dictionary::parse(
+        "meshFile \"a.msh\"; scale 1; cellArray x; bodies { a { type fluid; material oil; group g; patches { p { group "
+        "h; } "
+        "} } } walls { w { group i; moving no; fluid inside; } }");
+    readSpaceDict(file, {"oil"}, "");
+    expectDocumented(*file.node(), documented, {"a", "p", "w"});
     expectDocumented(*dict.node(), documented,
                      {"a", "p", "w", "b", "y", "k", "s", "o", "f", "d", "e", "r", "t", "x", "z", "u"});
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "mesher/meshFile.hpp"
 #include "mesher/space/readGeometry.hpp"
 
 namespace pfem {
@@ -34,6 +35,7 @@ public:
         mesh_.places = Places(dict_);
         mesh_.meshSize = meshSize > 0 ? meshSize : readSize(dict_);
         if (meshSize > 0) dict_.found("meshSize");
+        if (dict_.found("meshFile")) readMeshFileEntries(meshSize);
         if (dict_.found("geometry"))
             for (const auto& shape : dict_.dictList("geometry")) addGeometry(shape);
         for (const auto& body : dict_.dictList("bodies")) mesh_.bodies.push_back(readBody(body));
@@ -46,6 +48,25 @@ public:
     }
 
 private:
+    bool fromFile() const { return !mesh_.meshFile.empty(); }
+
+    void readMeshFileEntries(double meshSize) {
+        mesh_.meshFile = dict_.get<std::string>("meshFile");
+        mesh_.cellArray = dict_.get<std::string>("cellArray", mesh_.cellArray);
+        mesh_.scale = dict_.get("scale", mesh_.scale);
+        if (!(mesh_.scale > 0)) dict_.fatal("scale", fmt::format("scale must be positive, not {:g}", mesh_.scale));
+        if (meshSize > 0) dict_.fatal("meshFile", "-h has no meaning: the mesh is that of a file");
+        if (dict_.found("refinements")) dict_.fatal("refinements", "The mesh of a file cannot be refined here");
+    }
+
+    /// A group's name may be a number: that of a physical group without a name.
+    static std::string readGroup(const Dictionary& dict) {
+        if (!dict.found("group")) return dict.keyword();
+        TokenReader tokens = dict.reader("group");
+        if (!tokens.peek().isNumber()) return dict.get<std::string>("group");
+        return std::to_string(dict.get<std::int64_t>("group"));
+    }
+
     int addGeometry(const Dictionary& shape) {
         Geometry geometry = readGeometry(shape, folder_, mesh_.meshSize);
         if (mesh_.geometryNamed(geometry.name) >= 0)
@@ -81,11 +102,16 @@ private:
         readNature<3>(dict, materials_, body);
         if (dict.found("vertices"))
             dict.fatal("vertices", "A body in space is made of `geometry`; a polygon is extruded there (type extrude)");
+        const Dictionary patches = dict.subDictOrEmpty("patches");
+        if (fromFile()) {
+            body.group = readGroup(dict);
+            for (const auto& name : patches.keys()) body.faceGroups[name] = readGroup(patches.subDict(name));
+            return body;
+        }
         body.space.all = readShapes(dict, "geometry");
         if (body.space.all.empty()) dict.fatal("geometry", fmt::format("Body '{}' needs a geometry", body.name));
         body.space.within = readShapes(dict, "intersect");
         body.space.without = readShapes(dict, "subtract");
-        const Dictionary patches = dict.subDictOrEmpty("patches");
         for (const auto& name : patches.keys()) body.patches[name] = readSelection(patches.subDict(name), body);
         return body;
     }
@@ -134,6 +160,12 @@ private:
         wall.places = Places(dict);
         if (dict.found("points"))
             dict.fatal("points", "A wall in space is made of `geometry`; its faces without wall are open (...)");
+        wall.moving = dict.get("moving", false);
+        if (fromFile() && !dict.found("geometry")) {
+            wall.group = readGroup(dict);
+            wall.side = readSide(dict);
+            return wall;
+        }
         const auto shapes = readShapes(dict, "geometry");
         if (shapes.size() != 1) dict.fatal("geometry", fmt::format("Wall '{}' needs one geometry", wall.name));
         wall.geometry = shapes.front();
@@ -144,11 +176,14 @@ private:
             if (region < 0) dict.fatal("open", notValid(name, "face of wall '" + wall.name + "'", surface.regions));
             wall.open[region] = true;
         }
+        wall.side = readSide(dict);
+        return wall;
+    }
+
+    static WallSide readSide(const Dictionary& dict) {
         const std::vector<std::string> sides = {"automatic", "inside", "outside"};
         const auto side = dict.choice("fluid", sides, "automatic");
-        wall.side = static_cast<WallSide>(std::find(sides.begin(), sides.end(), side) - sides.begin());
-        wall.moving = dict.get("moving", false);
-        return wall;
+        return static_cast<WallSide>(std::find(sides.begin(), sides.end(), side) - sides.begin());
     }
 
     SpaceRefinement readRefinement(const Dictionary& dict) {
@@ -190,13 +225,14 @@ private:
 
 }  // namespace
 
-int meshDimension(const Dictionary& dict, const std::filesystem::path&) {
+int meshDimension(const Dictionary& dict, const std::filesystem::path& caseFolder) {
     if (dict.found("dimension")) {
         const int dimension = dict.get<int>("dimension");
         if (dimension != 2 && dimension != 3)
             dict.fatal("dimension", fmt::format("dimension must be 2 or 3, not {}", dimension));
         return dimension;
     }
+    if (dict.found("meshFile")) return holdsTetrahedra(caseFolder / dict.get<std::string>("meshFile")) ? 3 : 2;
     if (!dict.found("bodies")) return 2;
     if (dict.found("geometry")) return 3;
     for (const auto& body : dict.dictList("bodies"))

@@ -61,7 +61,7 @@ void addCells(const SpaceDescription& description, int b, const Tetrahedra& cell
     std::sort(to.nodes.begin() + first, to.nodes.end());
     for (int c = first; c < to.size(); ++c)
         for (const int i : to.nodes[c]) state.nodes.v[i] = body.velocityAt(state.nodes.x[i]);
-    result.bodies[b] = {first, to.size(), description.sizeOf(body)};
+    result.bodies[b] = {first, to.size(), description.sizeOf(body), body.type == BodyType::fluid};
 }
 
 void addPatches(const SpaceDescription& description, int b, SpaceMeshResult& result) {

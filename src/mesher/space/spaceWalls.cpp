@@ -69,6 +69,8 @@ void addWalls(const SpaceDescription& description, State<3>& state, std::vector<
         const TriSurface surface = wallSurface(description, wall);
         const bool turn = mustTurn(description, wall, surface, state);
         const double size = description.meshSize;
+        const auto& h = state.nodes.h;
+        const double smallest = h.empty() ? 1 : *std::min_element(h.begin(), h.end());
         double extent = (surface.high() - surface.low()).norm();
         std::vector<int> number(surface.x.size(), -1);
         const auto node = [&](int point) {
@@ -81,7 +83,7 @@ void addWalls(const SpaceDescription& description, State<3>& state, std::vector<
             state.nodes.resize(i + 1);
             state.nodes.id[i] = state.nextId++;
             state.nodes.x[i] = state.nodes.X[i] = x;
-            state.nodes.h[i] = size > 0 ? size : description.sizeOf(description.bodies.front());
+            state.nodes.h[i] = size > 0 ? size : smallest;
             if (!wall.moving) shared.push_back(i);
             return number[point] = i;
         };

@@ -242,7 +242,7 @@ Tetrahedra fill(const SpaceDomain& domain, const std::vector<Points<3>>& lines, 
                         "meshSize, or gaps or acute edges, near ({:g} {:g} {:g})",
                         mostNodes, x[0], x[1], x[2]));
     }
-    CGAL::perturb_mesh_3(complex, bodies, sliver_bound = 15);
+    CGAL::perturb_mesh_3(complex, bodies, sliver_bound = 12);
     return taken(complex);
 }
 
