@@ -4,6 +4,7 @@
 #include <ctime>
 #include <iostream>
 
+#include "application/dimension.hpp"
 #include "application/runApplication.hpp"
 #include "case/interrupt.hpp"
 #include "case/runLock.hpp"
@@ -38,50 +39,55 @@ Settings welcome(const Case& theCase, const RunLock& lock) {
 }
 
 /// The state of the start folder with what the dictionaries say of it.
-Simulation<2> readSimulation(const Case& theCase, const TimeControl& clock) {
-    Simulation<2> simulation;
-    simulation.state = readState<2>(clock.startFolder());
-    checkState(clock.startFolder(), simulation.state);
-    simulation.problem = readProblem(theCase, simulation.state);
+template <int Dim>
+Simulation<Dim> readSimulation(const Case& theCase, const TimeControl& clock) {
+    Simulation<Dim> simulation;
+    simulation.state = readState<Dim>(clock.startFolder());
+    checkState<Dim>(clock.startFolder(), simulation.state);
+    simulation.problem = readProblem<Dim>(theCase, simulation.state);
     simulation.controls = readControls(theCase);
-    checkLaws<2>(simulation.problem, simulation.state.mesh, simulation.controls.integration);
+    checkLaws<Dim>(simulation.problem, simulation.state.mesh, simulation.controls.integration);
     simulation.nextTime = [&clock](const TimeInfo& time, double dt) { return clock.advance(time, dt); };
     return simulation;
 }
 
 /// The function objects of controlDict.
-FunctionObjects<2> readFunctions(const Case& theCase, const TimeControl& clock, const TimeInfo& time) {
+template <int Dim>
+FunctionObjects<Dim> readFunctions(const Case& theCase, const TimeControl& clock, const TimeInfo& time) {
     const auto resumeAt = time.index > 0 ? std::optional(time.value) : std::nullopt;
-    FunctionObjects<2> functions(theCase, clock.dictionary(), clock.startName(), clock.controls().writePrecision, {},
+    FunctionObjects<Dim> functions(theCase, clock.dictionary(), clock.startName(), clock.controls().writePrecision, {},
                                  resumeAt);
     warnUnused(clock.dictionary(), std::cerr);
     return functions;
 }
 
 /// The volume at the beginning of the case.
-double firstVolume(const State<2>& state) {
-    double volume = totalVolume(state);
+template <int Dim>
+double firstVolume(const State<Dim>& state) {
+    double volume = totalVolume<Dim>(state);
     for (const auto& [cause, amount] : state.ledger.byName()) volume -= amount;
     return volume;
 }
 
 /// The loop over time.
-void advance(TimeControl& clock, Simulation<2>& simulation, Recorder<2>& recorder, FunctionObjects<2>& functions) {
-    State<2>& state = simulation.state;
-    const double volume = firstVolume(state), elasticRate = elasticWaveRate(simulation.problem, state);
+template <int Dim>
+void advance(TimeControl& clock, Simulation<Dim>& simulation, Recorder<Dim>& recorder,
+             FunctionObjects<Dim>& functions) {
+    State<Dim>& state = simulation.state;
+    const double volume = firstVolume<Dim>(state), elasticRate = elasticWaveRate<Dim>(simulation.problem, state);
     const double clockStart = clockNow(), timeStart = state.time.value;
     RunSummary summary;
     while (clock.running(state.time)) {
-        const CourantRate rate = courantRate(state);
+        const CourantRate rate = courantRate<Dim>(state);
         const double dt = clock.deltaT(state.time, {.courant = rate.largest,
                                                     .relative = rate.relative,
                                                     .compression = rate.compression,
-                                                    .gravityWave = gravityWaveRate(simulation.problem, state),
+                                                    .gravityWave = gravityWaveRate<Dim>(simulation.problem, state),
                                                     .elasticWave = elasticRate});
         const AdvanceReport report = recorder.step(dt);
         summary.add(report, state.mesh.fluid.size() + state.mesh.solid.size());
         std::cout << courantLines(rate, report.dt) << "Time = " << clock.name(state.time) << "\n\n"
-                  << stepLines(report, state, volume);
+                  << stepLines<Dim>(report, state, volume);
 
         const bool write = clock.writeDue(state.time);  // looks at controlDict first
         functions.execute(state, [&](int n) { return clock.folderDue(state.time, n); });
@@ -96,27 +102,23 @@ void advance(TimeControl& clock, Simulation<2>& simulation, Recorder<2>& recorde
     std::cout << summary.text(clockNow() - clockStart);
 }
 
-int run(const Options& options) {
-    const Case theCase = options.openCase();
-    std::cout << startBanner(options, theCase) << "Create time\n\n" << std::flush;
-    const RunLock lock(theCase.root(), options.program());
-    const Settings settings = welcome(theCase, lock);
-    TimeControl clock(theCase);
-    std::cout << "Create mesh for time = " << clock.startName() << "\n\n" << std::flush;
-    Simulation<2> simulation = readSimulation(theCase, clock);
-    State<2>& state = simulation.state;
-    FunctionObjects<2> functions = readFunctions(theCase, clock, state.time);
+/// From the start folder to the end.
+template <int Dim>
+int solve(const Case& theCase, const Settings& settings, TimeControl& clock) {
+    Simulation<Dim> simulation = readSimulation<Dim>(theCase, clock);
+    State<Dim>& state = simulation.state;
+    FunctionObjects<Dim> functions = readFunctions<Dim>(theCase, clock, state.time);
     keepSettings(theCase, settings);  // all of them have been accepted
 
     if (functions.wantAppeared()) state.ledger.countFields(state.nodes.size());
-    Recorder<2> recorder(theCase, clock, simulation);
+    Recorder<Dim> recorder(theCase, clock, simulation);
     if (state.time.index == 0) recorder.start(clock.deltaT(state.time));
     functions.start(state);
     if (clock.ended(state.time))
         std::cerr << "--> PFEM Warning: nothing to do: endTime is not after the start at " << state.time.value
                   << " s\n";
     std::cout << "Starting time loop\n\n" << std::flush;
-    advance(clock, simulation, recorder, functions);
+    advance<Dim>(clock, simulation, recorder, functions);
 
     if (const int signal = interrupted(); signal != 0) {
         std::cout << "Stopped by " << signalName(signal) << ", the state is written in the folder "
@@ -125,6 +127,17 @@ int run(const Options& options) {
     }
     std::cout << "End\n\n";
     return 0;
+}
+
+int run(const Options& options) {
+    const Case theCase = options.openCase();
+    std::cout << startBanner(options, theCase) << "Create time\n\n" << std::flush;
+    const RunLock lock(theCase.root(), options.program());
+    const Settings settings = welcome(theCase, lock);
+    TimeControl clock(theCase);
+    std::cout << "Create mesh for time = " << clock.startName() << "\n\n" << std::flush;
+    return withDimension(clock.startFolder(),
+                         [&](auto dim) { return solve<decltype(dim)::value>(theCase, settings, clock); });
 }
 
 }  // namespace

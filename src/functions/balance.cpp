@@ -18,6 +18,10 @@ Points<Dim> supportForces(const Problem<Dim>& problemOfRun, const Controls& cont
     return momentumResidual<Dim>(nodalMass<Dim>(fluid, solid), nodes, fluid, solid, external, 1);
 }
 
-template Points<2> supportForces<2>(const Problem<2>&, const Controls&, const State<2>&);
+
+#define PFEM_INSTANTIATE(D) \
+    template Points<D> supportForces<D>(const Problem<D>&, const Controls&, const State<D>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

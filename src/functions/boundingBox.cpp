@@ -53,6 +53,10 @@ void BoundingBox<Dim>::execute(const State<Dim>& state) {
                  table_->tuple(solid.low()), table_->tuple(solid.high())});
 }
 
-template class BoundingBox<2>;
+
+#define PFEM_INSTANTIATE(D) \
+    template class BoundingBox<D>;
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

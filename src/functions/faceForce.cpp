@@ -54,6 +54,10 @@ FaceForce<Dim> faceForce(const Problem<Dim>& problem, const State<Dim>& state, c
     return force;
 }
 
-template FaceForce<2> faceForce<2>(const Problem<2>&, const State<2>&, const WetFace<2>&);
+
+#define PFEM_INSTANTIATE(D) \
+    template FaceForce<D> faceForce<D>(const Problem<D>&, const State<D>&, const WetFace<D>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

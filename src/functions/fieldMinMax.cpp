@@ -68,6 +68,10 @@ void FieldMinMax<Dim>::execute(const State<Dim>& state) {
     }
 }
 
-template class FieldMinMax<2>;
+
+#define PFEM_INSTANTIATE(D) \
+    template class FieldMinMax<D>;
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -46,6 +46,10 @@ const NodalField<Dim>& nodalField(const std::string& name) {
     throw UserError(notValid(name, "field", names));
 }
 
-template const NodalField<2>& nodalField<2>(const std::string&);
+
+#define PFEM_INSTANTIATE(D) \
+    template const NodalField<D>& nodalField<D>(const std::string&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -130,8 +130,12 @@ void Forces<Dim>::execute(const State<Dim>& state) {
     }
 }
 
-template FluidForce fluidForce<2>(const Problem<2>&, const State<2>&, const std::vector<int>&, const std::vector<int>&);
-template ForceAndMoment reaction<2>(const Problem<2>&, const Controls&, const State<2>&, const std::vector<int>&);
-template class Forces<2>;
+
+#define PFEM_INSTANTIATE(D) \
+    template FluidForce fluidForce<D>(const Problem<D>&, const State<D>&, const std::vector<int>&, const std::vector<int>&); \
+    template ForceAndMoment reaction<D>(const Problem<D>&, const Controls&, const State<D>&, const std::vector<int>&); \
+    template class Forces<D>;
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -89,7 +89,11 @@ void Front<Dim>::execute(const State<Dim>& state) {
                  table_->number(front ? front->any : dry), table_->tuple(place)});
 }
 
-template std::optional<FrontReading> readFront<2>(const State<2>&, const Vec<2>&);
-template class Front<2>;
+
+#define PFEM_INSTANTIATE(D) \
+    template std::optional<FrontReading> readFront<D>(const State<D>&, const Vec<D>&); \
+    template class Front<D>;
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -86,6 +86,10 @@ bool FunctionObjects<Dim>::wantAppeared() const {
                        [](const Entry& entry) { return entry.function->wantsAppeared(); });
 }
 
-template class FunctionObjects<2>;
+
+#define PFEM_INSTANTIATE(D) \
+    template class FunctionObjects<D>;
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -69,8 +69,12 @@ std::unique_ptr<FunctionObject<Dim>> makeFunction(const Dictionary& dict, const 
     return entry->second(dict, context);
 }
 
-template bool addFunctionType<2>(const std::string&, FunctionFactory<2>);
-template State<2> initialState<2>(const std::filesystem::path&, const State<2>&);
-template std::unique_ptr<FunctionObject<2>> makeFunction<2>(const Dictionary&, const FunctionContext<2>&);
+
+#define PFEM_INSTANTIATE(D) \
+    template bool addFunctionType<D>(const std::string&, FunctionFactory<D>); \
+    template State<D> initialState<D>(const std::filesystem::path&, const State<D>&); \
+    template std::unique_ptr<FunctionObject<D>> makeFunction<D>(const Dictionary&, const FunctionContext<D>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

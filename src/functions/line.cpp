@@ -48,6 +48,10 @@ void Line<Dim>::execute(const State<Dim>& state) {
     writeAtomically(folder / (file + ".xy"), text);
 }
 
-template class Line<2>;
+
+#define PFEM_INSTANTIATE(D) \
+    template class Line<D>;
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -63,7 +63,11 @@ MassBalance MassAccount<Dim>::balance(const State<Dim>& state) const {
     return b;
 }
 
-template double fluidMass<2>(const State<2>&, const std::map<std::string, double>&);
-template class MassAccount<2>;
+
+#define PFEM_INSTANTIATE(D) \
+    template double fluidMass<D>(const State<D>&, const std::map<std::string, double>&); \
+    template class MassAccount<D>;
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

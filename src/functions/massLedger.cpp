@@ -111,6 +111,10 @@ void MassLedger<Dim>::beginTable() {
     table_->replaceRows(columns);
 }
 
-template class MassLedger<2>;
+
+#define PFEM_INSTANTIATE(D) \
+    template class MassLedger<D>;
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -22,6 +22,10 @@ void postProcess(const Case& theCase, FunctionObjects<Dim>& functions, const std
     }
 }
 
-template void postProcess<2>(const Case&, FunctionObjects<2>&, const std::vector<TimeFolder>&, bool, std::ostream&);
+
+#define PFEM_INSTANTIATE(D) \
+    template void postProcess<D>(const Case&, FunctionObjects<D>&, const std::vector<TimeFolder>&, bool, std::ostream&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -92,6 +92,10 @@ typename Probes<Dim>::Sample Probes<Dim>::follow(const State<Dim>& state, const 
     return at;
 }
 
-template class Probes<2>;
+
+#define PFEM_INSTANTIATE(D) \
+    template class Probes<D>;
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -36,8 +36,12 @@ std::vector<NodalField<Dim>> nodalFields(const Dictionary& dict, const std::vect
     return fields;
 }
 
-template Samples<2> sampleAt<2>(const State<2>&, const Vec<2>&);
-template std::vector<double> sampledValue<2>(const NodalField<2>&, const Nodes<2>&, const Samples<2>&, double);
-template std::vector<NodalField<2>> nodalFields<2>(const Dictionary&, const std::vector<std::string>&);
+
+#define PFEM_INSTANTIATE(D) \
+    template Samples<D> sampleAt<D>(const State<D>&, const Vec<D>&); \
+    template std::vector<double> sampledValue<D>(const NodalField<D>&, const Nodes<D>&, const Samples<D>&, double); \
+    template std::vector<NodalField<D>> nodalFields<D>(const Dictionary&, const std::vector<std::string>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

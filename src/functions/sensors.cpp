@@ -38,8 +38,12 @@ void sensorRow(Table& table, double time, const std::vector<double>& values) {
     table.row(row);
 }
 
-template void warnOutOfPlane<2>(const Dictionary&, const std::string&, const std::vector<Eigen::Vector3d>&);
-template Table sensorTable<2>(const FunctionContext<2>&, const std::string&, const std::string&,
-                              const std::vector<Eigen::Vector3d>&, const std::vector<bool>&);
+
+#define PFEM_INSTANTIATE(D) \
+    template void warnOutOfPlane<D>(const Dictionary&, const std::string&, const std::vector<Eigen::Vector3d>&); \
+    template Table sensorTable<D>(const FunctionContext<D>&, const std::string&, const std::string&, \
+        const std::vector<Eigen::Vector3d>&, const std::vector<bool>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -139,8 +139,12 @@ EnergyPowers energyPowers(const Problem<Dim>& problem, const Controls& controls,
     return powers;
 }
 
-template double elasticEnergy<2>(const Problem<2>&, const Controls&, const State<2>&);
-template StoredEnergy storedEnergy<2>(const Problem<2>&, const Controls&, const State<2>&);
-template EnergyPowers energyPowers<2>(const Problem<2>&, const Controls&, const State<2>&);
+
+#define PFEM_INSTANTIATE(D) \
+    template double elasticEnergy<D>(const Problem<D>&, const Controls&, const State<D>&); \
+    template StoredEnergy storedEnergy<D>(const Problem<D>&, const Controls&, const State<D>&); \
+    template EnergyPowers energyPowers<D>(const Problem<D>&, const Controls&, const State<D>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

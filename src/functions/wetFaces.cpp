@@ -36,6 +36,10 @@ std::vector<WetFace<Dim>> wetFaces(const State<Dim>& state, const Topology<Dim>&
     return result;
 }
 
-template std::vector<WetFace<2>> wetFaces<2>(const State<2>&, const Topology<2>&);
+
+#define PFEM_INSTANTIATE(D) \
+    template std::vector<WetFace<D>> wetFaces<D>(const State<D>&, const Topology<D>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

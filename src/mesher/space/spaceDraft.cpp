@@ -5,7 +5,8 @@
 
 #include "mesh/adjacency.hpp"
 #include "mesh/simplex.hpp"
-#include "mesh/wallSupports.hpp"
+#include "conditions/freedom.hpp"
+#include "walls/wallPoints.hpp"
 #include "mesher/space/hilbertOrder3.hpp"
 
 namespace pfem {
@@ -83,28 +84,20 @@ void addPatches(const SpaceDescription& description, int b, SpaceMeshResult& res
     }
 }
 
-/// Fluid nodes on walls know the first face, and have no velocity through any.
+/// Fluid nodes on walls know them, and have no velocity through any.
 void standOnWalls(const SpaceDescription& description, State<3>& state) {
     std::vector<bool> isWall;
     for (const auto& patch : state.mesh.patches)
         isWall.push_back(std::any_of(description.walls.begin(), description.walls.end(),
                                      [&](const SpaceWall& wall) { return wall.name == patch.name; }));
     if (std::find(isWall.begin(), isWall.end(), true) == isWall.end()) return;
-    std::vector<char> fluid(state.nodes.size(), 0);
-    for (const auto& cell : state.mesh.fluid.nodes)
-        for (const int i : cell) fluid[i] = 1;
-    for (const auto& cell : state.mesh.solid.nodes)
-        for (const int i : cell) fluid[i] = 0;
-    double least = std::numeric_limits<double>::max();
-    for (int i = 0; i < state.nodes.size(); ++i)
-        if (fluid[i]) least = std::min(least, state.nodes.h[i]);
-    const WallSupports<3> walls(state.mesh.patches, isWall, state.nodes.x, 1e-6 * least);
+    separateFromWalls<3>(isWall, state);
+    const auto faces = wallFaces<3>(state.mesh.patches, isWall, state.nodes.x);
     for (int i = 0; i < state.nodes.size(); ++i) {
-        if (!fluid[i]) continue;
-        const auto supports = walls.supportsOf(state.nodes.x[i]);
-        if (supports.empty()) continue;
-        state.nodes.wall[i] = supports.front();
-        state.nodes.v[i] = alongPlanes<3>(state.nodes.v[i], walls.normalsAt(state.nodes.x[i]));
+        Freedom<3> free;
+        for (const int wall : state.nodes.wall[i])
+            if (wall >= 0) free = free.without(inwardNormal<3>(state.nodes.x, faces[wall].nodes));
+        state.nodes.v[i] = free.project(state.nodes.v[i]);
     }
 }
 
