@@ -80,7 +80,8 @@ std::vector<PatchKind> patchKinds(const Case& theCase, const State<Dim>& state) 
 template <int Dim>
 bool checkTime(const Case& theCase, const std::string& time) {
     const State<Dim> state = readState<Dim>(theCase.time(time));
-    const auto topology = makeTopology<Dim>(state.mesh, patchKinds<Dim>(theCase, state), state.nodes.x, state.nodes.wall);
+    const auto topology =
+        makeTopology<Dim>(state.mesh, patchKinds<Dim>(theCase, state), state.nodes.x, state.nodes.wall);
     fmt::print("Time = {}\n\n", time);
     return printCheck<Dim>(state, checkMesh<Dim>(state.mesh, topology, state.nodes.x, state.nodes.h));
 }

@@ -56,7 +56,7 @@ template <int Dim>
 FunctionObjects<Dim> readFunctions(const Case& theCase, const TimeControl& clock, const TimeInfo& time) {
     const auto resumeAt = time.index > 0 ? std::optional(time.value) : std::nullopt;
     FunctionObjects<Dim> functions(theCase, clock.dictionary(), clock.startName(), clock.controls().writePrecision, {},
-                                 resumeAt);
+                                   resumeAt);
     warnUnused(clock.dictionary(), std::cerr);
     return functions;
 }

@@ -18,9 +18,7 @@ Points<Dim> supportForces(const Problem<Dim>& problemOfRun, const Controls& cont
     return momentumResidual<Dim>(nodalMass<Dim>(fluid, solid), nodes, fluid, solid, external, 1);
 }
 
-
-#define PFEM_INSTANTIATE(D) \
-    template Points<D> supportForces<D>(const Problem<D>&, const Controls&, const State<D>&);
+#define PFEM_INSTANTIATE(D) template Points<D> supportForces<D>(const Problem<D>&, const Controls&, const State<D>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

@@ -53,9 +53,7 @@ void BoundingBox<Dim>::execute(const State<Dim>& state) {
                  table_->tuple(solid.low()), table_->tuple(solid.high())});
 }
 
-
-#define PFEM_INSTANTIATE(D) \
-    template class BoundingBox<D>;
+#define PFEM_INSTANTIATE(D) template class BoundingBox<D>;
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

@@ -83,9 +83,7 @@ std::vector<double> Energy<Dim>::memory() const {
     return {first_, flows_.viscous, flows_.damper, flows_.workWalls, flows_.workLoads, firstRemeshing_, firstVolume_};
 }
 
-
-#define PFEM_INSTANTIATE(D) \
-    template class Energy<D>;
+#define PFEM_INSTANTIATE(D) template class Energy<D>;
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

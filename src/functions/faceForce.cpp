@@ -54,9 +54,7 @@ FaceForce<Dim> faceForce(const Problem<Dim>& problem, const State<Dim>& state, c
     return force;
 }
 
-
-#define PFEM_INSTANTIATE(D) \
-    template FaceForce<D> faceForce<D>(const Problem<D>&, const State<D>&, const WetFace<D>&);
+#define PFEM_INSTANTIATE(D) template FaceForce<D> faceForce<D>(const Problem<D>&, const State<D>&, const WetFace<D>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

@@ -68,9 +68,7 @@ void FieldMinMax<Dim>::execute(const State<Dim>& state) {
     }
 }
 
-
-#define PFEM_INSTANTIATE(D) \
-    template class FieldMinMax<D>;
+#define PFEM_INSTANTIATE(D) template class FieldMinMax<D>;
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

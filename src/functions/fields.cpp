@@ -46,9 +46,7 @@ const NodalField<Dim>& nodalField(const std::string& name) {
     throw UserError(notValid(name, "field", names));
 }
 
-
-#define PFEM_INSTANTIATE(D) \
-    template const NodalField<D>& nodalField<D>(const std::string&);
+#define PFEM_INSTANTIATE(D) template const NodalField<D>& nodalField<D>(const std::string&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

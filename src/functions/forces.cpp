@@ -130,9 +130,9 @@ void Forces<Dim>::execute(const State<Dim>& state) {
     }
 }
 
-
-#define PFEM_INSTANTIATE(D) \
-    template FluidForce fluidForce<D>(const Problem<D>&, const State<D>&, const std::vector<int>&, const std::vector<int>&); \
+#define PFEM_INSTANTIATE(D)                                                                                            \
+    template FluidForce fluidForce<D>(const Problem<D>&, const State<D>&, const std::vector<int>&,                     \
+                                      const std::vector<int>&);                                                        \
     template ForceAndMoment reaction<D>(const Problem<D>&, const Controls&, const State<D>&, const std::vector<int>&); \
     template class Forces<D>;
 PFEM_INSTANTIATE(2)

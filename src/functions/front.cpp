@@ -89,8 +89,7 @@ void Front<Dim>::execute(const State<Dim>& state) {
                  table_->number(front ? front->any : dry), table_->tuple(place)});
 }
 
-
-#define PFEM_INSTANTIATE(D) \
+#define PFEM_INSTANTIATE(D)                                                            \
     template std::optional<FrontReading> readFront<D>(const State<D>&, const Vec<D>&); \
     template class Front<D>;
 PFEM_INSTANTIATE(2)

@@ -86,9 +86,7 @@ bool FunctionObjects<Dim>::wantAppeared() const {
                        [](const Entry& entry) { return entry.function->wantsAppeared(); });
 }
 
-
-#define PFEM_INSTANTIATE(D) \
-    template class FunctionObjects<D>;
+#define PFEM_INSTANTIATE(D) template class FunctionObjects<D>;
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

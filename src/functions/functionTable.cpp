@@ -25,18 +25,23 @@ std::unique_ptr<FunctionObject<Dim>> make(const Dictionary& dict, const Function
 
 template <int Dim>
 std::map<std::string, FunctionFactory<Dim>>& table() {
-    static std::map<std::string, FunctionFactory<Dim>> entries{
-        {"boundingBox", make<Dim, BoundingBox<Dim>>},
-        {"energy", make<Dim, Energy<Dim>>},
-        {"fieldMinMax", make<Dim, FieldMinMax<Dim>>},
-        {"forces", make<Dim, Forces<Dim>>},
-        {"front", make<Dim, Front<Dim>>},
-        {"line", make<Dim, Line<Dim>>},
-        {"massLedger", make<Dim, MassLedger<Dim>>},
-        {"pressureSensor", make<Dim, PressureSensor<Dim>>},
-        {"probes", make<Dim, Probes<Dim>>},
-        {"waveGauge", make<Dim, WaveGauge<Dim>>},
-    };
+    static std::map<std::string, FunctionFactory<Dim>> entries = [] {
+        std::map<std::string, FunctionFactory<Dim>> all{
+            {"boundingBox", make<Dim, BoundingBox<Dim>>},
+            {"energy", make<Dim, Energy<Dim>>},
+            {"fieldMinMax", make<Dim, FieldMinMax<Dim>>},
+            {"forces", make<Dim, Forces<Dim>>},
+            {"front", make<Dim, Front<Dim>>},
+            {"line", make<Dim, Line<Dim>>},
+            {"massLedger", make<Dim, MassLedger<Dim>>},
+            {"probes", make<Dim, Probes<Dim>>},
+        };
+        if constexpr (Dim == 2) {
+            all.emplace("pressureSensor", make<Dim, PressureSensor<Dim>>);
+            all.emplace("waveGauge", make<Dim, WaveGauge<Dim>>);
+        }
+        return all;
+    }();
     return entries;
 }
 
@@ -69,9 +74,8 @@ std::unique_ptr<FunctionObject<Dim>> makeFunction(const Dictionary& dict, const 
     return entry->second(dict, context);
 }
 
-
-#define PFEM_INSTANTIATE(D) \
-    template bool addFunctionType<D>(const std::string&, FunctionFactory<D>); \
+#define PFEM_INSTANTIATE(D)                                                           \
+    template bool addFunctionType<D>(const std::string&, FunctionFactory<D>);         \
     template State<D> initialState<D>(const std::filesystem::path&, const State<D>&); \
     template std::unique_ptr<FunctionObject<D>> makeFunction<D>(const Dictionary&, const FunctionContext<D>&);
 PFEM_INSTANTIATE(2)

@@ -48,9 +48,7 @@ void Line<Dim>::execute(const State<Dim>& state) {
     writeAtomically(folder / (file + ".xy"), text);
 }
 
-
-#define PFEM_INSTANTIATE(D) \
-    template class Line<D>;
+#define PFEM_INSTANTIATE(D) template class Line<D>;
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

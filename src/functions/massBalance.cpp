@@ -63,8 +63,7 @@ MassBalance MassAccount<Dim>::balance(const State<Dim>& state) const {
     return b;
 }
 
-
-#define PFEM_INSTANTIATE(D) \
+#define PFEM_INSTANTIATE(D)                                                              \
     template double fluidMass<D>(const State<D>&, const std::map<std::string, double>&); \
     template class MassAccount<D>;
 PFEM_INSTANTIATE(2)

@@ -111,9 +111,7 @@ void MassLedger<Dim>::beginTable() {
     table_->replaceRows(columns);
 }
 
-
-#define PFEM_INSTANTIATE(D) \
-    template class MassLedger<D>;
+#define PFEM_INSTANTIATE(D) template class MassLedger<D>;
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

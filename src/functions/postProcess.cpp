@@ -22,7 +22,6 @@ void postProcess(const Case& theCase, FunctionObjects<Dim>& functions, const std
     }
 }
 
-
 #define PFEM_INSTANTIATE(D) \
     template void postProcess<D>(const Case&, FunctionObjects<D>&, const std::vector<TimeFolder>&, bool, std::ostream&);
 PFEM_INSTANTIATE(2)

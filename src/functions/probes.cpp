@@ -92,9 +92,7 @@ typename Probes<Dim>::Sample Probes<Dim>::follow(const State<Dim>& state, const 
     return at;
 }
 
-
-#define PFEM_INSTANTIATE(D) \
-    template class Probes<D>;
+#define PFEM_INSTANTIATE(D) template class Probes<D>;
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

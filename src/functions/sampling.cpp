@@ -36,9 +36,8 @@ std::vector<NodalField<Dim>> nodalFields(const Dictionary& dict, const std::vect
     return fields;
 }
 
-
-#define PFEM_INSTANTIATE(D) \
-    template Samples<D> sampleAt<D>(const State<D>&, const Vec<D>&); \
+#define PFEM_INSTANTIATE(D)                                                                                         \
+    template Samples<D> sampleAt<D>(const State<D>&, const Vec<D>&);                                                \
     template std::vector<double> sampledValue<D>(const NodalField<D>&, const Nodes<D>&, const Samples<D>&, double); \
     template std::vector<NodalField<D>> nodalFields<D>(const Dictionary&, const std::vector<std::string>&);
 PFEM_INSTANTIATE(2)

@@ -38,11 +38,10 @@ void sensorRow(Table& table, double time, const std::vector<double>& values) {
     table.row(row);
 }
 
-
-#define PFEM_INSTANTIATE(D) \
+#define PFEM_INSTANTIATE(D)                                                                                      \
     template void warnOutOfPlane<D>(const Dictionary&, const std::string&, const std::vector<Eigen::Vector3d>&); \
-    template Table sensorTable<D>(const FunctionContext<D>&, const std::string&, const std::string&, \
-        const std::vector<Eigen::Vector3d>&, const std::vector<bool>&);
+    template Table sensorTable<D>(const FunctionContext<D>&, const std::string&, const std::string&,             \
+                                  const std::vector<Eigen::Vector3d>&, const std::vector<bool>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

@@ -139,9 +139,8 @@ EnergyPowers energyPowers(const Problem<Dim>& problem, const Controls& controls,
     return powers;
 }
 
-
-#define PFEM_INSTANTIATE(D) \
-    template double elasticEnergy<D>(const Problem<D>&, const Controls&, const State<D>&); \
+#define PFEM_INSTANTIATE(D)                                                                     \
+    template double elasticEnergy<D>(const Problem<D>&, const Controls&, const State<D>&);      \
     template StoredEnergy storedEnergy<D>(const Problem<D>&, const Controls&, const State<D>&); \
     template EnergyPowers energyPowers<D>(const Problem<D>&, const Controls&, const State<D>&);
 PFEM_INSTANTIATE(2)

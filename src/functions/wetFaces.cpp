@@ -36,9 +36,7 @@ std::vector<WetFace<Dim>> wetFaces(const State<Dim>& state, const Topology<Dim>&
     return result;
 }
 
-
-#define PFEM_INSTANTIATE(D) \
-    template std::vector<WetFace<D>> wetFaces<D>(const State<D>&, const Topology<D>&);
+#define PFEM_INSTANTIATE(D) template std::vector<WetFace<D>> wetFaces<D>(const State<D>&, const Topology<D>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

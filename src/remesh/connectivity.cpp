@@ -91,8 +91,8 @@ bool isContact(const RemeshingControls& c, const CandidateNodes<Dim>& nodes, con
 template <int Dim>
 class Selector {
 public:
-    Selector(const RemeshingControls& controls, const Triangulation<Dim>& triangulation, const CandidateNodes<Dim>& nodes,
-             const MovedMesh<Dim>& moved, const MovedPlaces<Dim>& places)
+    Selector(const RemeshingControls& controls, const Triangulation<Dim>& triangulation,
+             const CandidateNodes<Dim>& nodes, const MovedMesh<Dim>& moved, const MovedPlaces<Dim>& places)
         : controls_(controls),
           t_(triangulation),
           nodes_(nodes),
@@ -198,9 +198,8 @@ private:
     bool onOneWall(const std::array<int, N>& nodes) const {
         const auto lies = [&](int node, int wall) {
             const auto& own = nodes_.wall[node];
-            return std::any_of(own.begin(), own.end(), [&](int other) {
-                return other >= 0 && moved_.topology.joined(wall, other);
-            });
+            return std::any_of(own.begin(), own.end(),
+                               [&](int other) { return other >= 0 && moved_.topology.joined(wall, other); });
         };
         const auto& first = nodes_.wall[nodes[0]];
         return std::any_of(first.begin(), first.end(), [&](int wall) {
@@ -224,7 +223,8 @@ private:
 
     bool isStretched(int e) const {
         const auto& s = t_.cells[e];
-        return isSliver(s) || circumradius<Dim>(nodes_.x, s) > controls_.alpha * controls_.alphaInside * meanSize<Dim>(nodes_, s);
+        return isSliver(s) ||
+               circumradius<Dim>(nodes_.x, s) > controls_.alpha * controls_.alphaInside * meanSize<Dim>(nodes_, s);
     }
 
     /// A lone triangle between places of solids: what little it holds, no fluid node can carry.
@@ -327,9 +327,9 @@ Connectivity<Dim> selectFluid(const RemeshingControls& controls, const Triangula
     return Selector<Dim>(controls, triangulation, nodes, moved, places).select();
 }
 
-#define PFEM_INSTANTIATE(D)                                                                                     \
-    template std::vector<Simplex<D>> cellsOf<D>(const std::vector<CellChange<D>>&, VolumeCause);                \
-    template Connectivity<D> selectFluid<D>(const RemeshingControls&, const Triangulation<D>&,                  \
+#define PFEM_INSTANTIATE(D)                                                                      \
+    template std::vector<Simplex<D>> cellsOf<D>(const std::vector<CellChange<D>>&, VolumeCause); \
+    template Connectivity<D> selectFluid<D>(const RemeshingControls&, const Triangulation<D>&,   \
                                             const CandidateNodes<D>&, const MovedMesh<D>&, const MovedPlaces<D>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)

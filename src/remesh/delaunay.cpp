@@ -117,7 +117,7 @@ Triangulator<2>& Triangulator<2>::operator=(Triangulator&&) noexcept = default;
 
 template <>
 void Triangulator<2>::follow(const Points<2>& points, const std::vector<Id>& ids, const std::vector<int>& active,
-                          const std::vector<Face<2>>& fixed, const std::vector<Face<2>>& wished) {
+                             const std::vector<Face<2>>& fixed, const std::vector<Face<2>>& wished) {
     const Handles handle = kept_->move(points, ids, active);
     if (kept_->cdt.dimension() < 2) return;
     insertFixed(kept_->cdt, handle, fixed);

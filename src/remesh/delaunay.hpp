@@ -14,9 +14,10 @@ struct Triangulation {
     std::vector<std::array<int, Dim + 1>> neighbours;  // opposite to local node k; -1 outside the hull
 };
 
-/// Delaunay triangulations of points that move a little from one time to the next. The result is that of a triangulation
-/// from nothing, to the order of the cells: by their first nodes, the smallest of each cell, then by the second (and
-/// third). In 2D what the last time has left is mended, and faces constrain the triangulation; in 3D they do not.
+/// Delaunay triangulations of points that move a little from one time to the next. The result is that of a
+/// triangulation from nothing, to the order of the cells: by their first nodes, the smallest of each cell, then by the
+/// second (and third). In 2D what the last time has left is mended, and faces constrain the triangulation; in 3D they
+/// do not.
 template <int Dim>
 class Triangulator {
 public:

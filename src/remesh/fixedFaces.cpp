@@ -58,8 +58,8 @@ std::vector<OnWall> nodesOnWalls(const State<2>& state, const Topology<2>& topol
 }  // namespace
 
 template <>
-std::vector<Face<2>> fixedFaces<2>(const State<2>& state, const std::vector<PatchKind>& kinds, const Topology<2>& topology,
-                                const std::vector<int>& newIndex) {
+std::vector<Face<2>> fixedFaces<2>(const State<2>& state, const std::vector<PatchKind>& kinds,
+                                   const Topology<2>& topology, const std::vector<int>& newIndex) {
     std::vector<Face<2>> fixed;
     const auto& [x, h] = std::tie(state.nodes.x, state.nodes.h);
     const auto aroundSolid = nodeToCells<2>(state.mesh.solid.nodes, state.nodes.size());

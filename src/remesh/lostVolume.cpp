@@ -135,9 +135,9 @@ void bookRemeshing(const MovedMesh<Dim>& moved, const NodePlan<Dim>& plan, const
     exchangeWithDrops(moved, newIndex, wet, state.nodes);
 }
 
-#define PFEM_INSTANTIATE(D)                                                                                          \
+#define PFEM_INSTANTIATE(D)                                                                                         \
     template void chargeMotion<D>(const NodeToCells&, const std::vector<Simplex<D>>&, const Points<D>&, Nodes<D>&); \
-    template void bookRemeshing<D>(const MovedMesh<D>&, const NodePlan<D>&, const std::vector<int>&,                 \
+    template void bookRemeshing<D>(const MovedMesh<D>&, const NodePlan<D>&, const std::vector<int>&,                \
                                    const std::vector<CellChange<D>>&, VolumeLedger&, State<D>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)

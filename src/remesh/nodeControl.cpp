@@ -229,7 +229,7 @@ private:
     const std::vector<unsigned char>& kept_;
     const NodeToNodes& ring_;
     std::set<std::array<int, 2>> boundaryEdges_;  // (3D) of faces without a neighbour
-    double closest_ = 0;  // in units of h: no node goes for one that is farther
+    double closest_ = 0;                          // in units of h: no node goes for one that is farther
     std::vector<unsigned char> locked_;
     std::vector<unsigned char> near_;  // to a neighbour: such a node may have to go
     std::vector<unsigned char> long_;  // the end of an edge that may get a node

@@ -109,7 +109,6 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
     return state;
 }
 
-
 #define PFEM_INSTANTIATE(D) \
     template State<D> attempt<D>(const Problem<D>&, const Controls&, Triangulator<D>&, const State<D>&, AdvanceReport&);
 PFEM_INSTANTIATE(2)

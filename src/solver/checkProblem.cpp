@@ -203,13 +203,12 @@ void checkLaws(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const Integra
         }
 }
 
-
-#define PFEM_INSTANTIATE(D) \
-    template void checkLaws<D>(const Problem<D>&, const Mesh<D>&, const IntegrationControls&); \
-    template std::vector<std::string> doubts<D>(const Dictionary&, const Dictionary&, const Dictionary&, const Problem<D>&, \
-        const State<D>&); \
-    template void checkState<D>(const std::filesystem::path&, const State<D>&); \
-    template void checkOneFluid<D>(const Dictionary&, const Mesh<D>&); \
+#define PFEM_INSTANTIATE(D)                                                                              \
+    template void checkLaws<D>(const Problem<D>&, const Mesh<D>&, const IntegrationControls&);           \
+    template std::vector<std::string> doubts<D>(const Dictionary&, const Dictionary&, const Dictionary&, \
+                                                const Problem<D>&, const State<D>&);                     \
+    template void checkState<D>(const std::filesystem::path&, const State<D>&);                          \
+    template void checkOneFluid<D>(const Dictionary&, const Mesh<D>&);                                   \
     template void checkConditions<D>(const Dictionary&, const BoundaryConditions<D>&, const State<D>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)

@@ -91,7 +91,8 @@ void checkWalls(const Topology<Dim>& topology, const Points<Dim>& xOld, const St
     parallelFor(next.nodes.size(), [&](int i) {
         if (isSupported(next.nodes.wall[i]) || held[i]) return;
         for (const auto& [face, name] : walls)
-            if (crossed<Dim>(face, xOld, next.nodes.x, xOld[i], next.nodes.x[i], 0.01 * next.nodes.h[i])) through[i] = name;
+            if (crossed<Dim>(face, xOld, next.nodes.x, xOld[i], next.nodes.x[i], 0.01 * next.nodes.h[i]))
+                through[i] = name;
     });
     for (int i = 0; i < next.nodes.size(); ++i)
         if (through[i] != nullptr) fail<Dim>(next.nodes, i, "went through the wall '" + *through[i] + "'");
@@ -116,13 +117,13 @@ void checkSolids(const Points<Dim>& xOld, const State<Dim>& next) {
         if (onSolid[i] || (nodes.x[i] - xOld[i]).norm() + solidMotion < 0.5 * h) continue;
         if (faces.empty())
             for (const auto& face :
-                 boundaryFaces<Dim>(next.mesh.solid.nodes, nodeToCells<Dim>(next.mesh.solid.nodes, nodes.size())))
-{
+                 boundaryFaces<Dim>(next.mesh.solid.nodes, nodeToCells<Dim>(next.mesh.solid.nodes, nodes.size()))) {
                 faces.push_back(face.nodes);  // the fluid's side is the front
                 std::swap(faces.back()[0], faces.back()[1]);
             }
         for (const auto& face : faces)
-            if (crossed<Dim>(face, xOld, nodes.x, xOld[i], nodes.x[i], 0.01 * h)) fail<Dim>(nodes, i, "went through a solid");
+            if (crossed<Dim>(face, xOld, nodes.x, xOld[i], nodes.x[i], 0.01 * h))
+                fail<Dim>(nodes, i, "went through a solid");
     }
 }
 
@@ -130,7 +131,7 @@ void checkSolids(const Points<Dim>& xOld, const State<Dim>& next) {
 
 template <int Dim>
 void checkInvariants(const ConvergenceControls& controls, const Topology<Dim>& topology, const State<Dim>& last,
-                        const State<Dim>& next) {
+                     const State<Dim>& next) {
     checkFinite<Dim>(next.nodes);
     checkCells<Dim>("solid", next.nodes, next.mesh.solid.nodes);
     checkCells<Dim>("fluid", next.nodes, next.mesh.fluid.nodes);
@@ -138,7 +139,7 @@ void checkInvariants(const ConvergenceControls& controls, const Topology<Dim>& t
     checkWalls<Dim>(topology, xOld, next);
     checkSolids<Dim>(xOld, next);
     const double before = totalVolume<Dim>(last), after = totalVolume<Dim>(next) - next.ledger.sum(CauseKind::passage) +
-                                                        last.ledger.sum(CauseKind::passage);
+                                                          last.ledger.sum(CauseKind::passage);
     if (std::abs(after - before) > controls.maxVolumeChange * before)
         throw StepFailure(fmt::format("the fluid's volume changed from {:.6g} to {:.6g} in one step", before, after));
 }
@@ -172,10 +173,11 @@ void checkSpeedGain(double allowed, const Nodes<Dim>& nodes) {
                         nodes.v[found].norm(), allowed));
 }
 
-#define PFEM_INSTANTIATE(D)                                                   \
-    template void checkInvariants<D>(const ConvergenceControls&, const Topology<D>&, const State<D>&, const State<D>&); \
-    template void checkSpeed<D>(const ConvergenceControls&, const Nodes<D>&); \
-    template double allowedSpeed<D>(const Topology<D>&, const Nodes<D>&);     \
+#define PFEM_INSTANTIATE(D)                                                                           \
+    template void checkInvariants<D>(const ConvergenceControls&, const Topology<D>&, const State<D>&, \
+                                     const State<D>&);                                                \
+    template void checkSpeed<D>(const ConvergenceControls&, const Nodes<D>&);                         \
+    template double allowedSpeed<D>(const Topology<D>&, const Nodes<D>&);                             \
     template void checkSpeedGain<D>(double, const Nodes<D>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)

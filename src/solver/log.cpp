@@ -76,9 +76,7 @@ std::string RunSummary::text(double clock) const {
         1e6 * clock / std::max(triangles_, 1.0), peakMemory());
 }
 
-
-#define PFEM_INSTANTIATE(D) \
-    template std::string stepLines<D>(const AdvanceReport&, const State<D>&, double);
+#define PFEM_INSTANTIATE(D) template std::string stepLines<D>(const AdvanceReport&, const State<D>&, double);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

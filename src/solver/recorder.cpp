@@ -65,9 +65,7 @@ AdvanceReport Recorder<Dim>::step(double dt) {
     }
 }
 
-
-#define PFEM_INSTANTIATE(D) \
-    template class Recorder<D>;
+#define PFEM_INSTANTIATE(D) template class Recorder<D>;
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

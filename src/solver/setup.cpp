@@ -99,9 +99,7 @@ Controls readControls(const Case& theCase, std::ostream* warnings) {
     return controls;
 }
 
-
-#define PFEM_INSTANTIATE(D) \
-    template Problem<D> readProblem<D>(const Case&, const State<D>&, std::ostream*);
+#define PFEM_INSTANTIATE(D) template Problem<D> readProblem<D>(const Case&, const State<D>&, std::ostream*);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

@@ -35,9 +35,7 @@ AdvanceReport Simulation<Dim>::step(double dt) {
     }
 }
 
-
-#define PFEM_INSTANTIATE(D) \
-    template struct Simulation<D>;
+#define PFEM_INSTANTIATE(D) template struct Simulation<D>;
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

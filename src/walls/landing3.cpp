@@ -147,8 +147,8 @@ private:
                      before = inwardNormal<3>(xOld_, face).dot(old - xOld_[face[0]]);
         if (after > controls_.landingDistance * h || before < -1e-9 * h || after >= before) return {};
         const double part = drop && after < 0 ? std::max(0.0, before / (before - after)) : 1;
-        const Vec<3> w = part < 1 ? footWeights<3>(xOld_, face, old + part * (x - old))
-                                  : footWeights<3>(nodes_.x, face, x);
+        const Vec<3> w =
+            part < 1 ? footWeights<3>(xOld_, face, old + part * (x - old)) : footWeights<3>(nodes_.x, face, x);
         const double size = (nodes_.x[face[1]] - nodes_.x[face[0]]).norm();
         if (w.minCoeff() < -roundOff * h / size) return {};
         return {part, wall};

@@ -56,9 +56,9 @@ void releaseFromWalls(const WallControls& controls, const Topology<Dim>& topolog
     }
 }
 
-#define PFEM_INSTANTIATE(D)                                                                        \
-    template void releaseFromWalls<D>(const WallControls&, const Topology<D>&, const Vec<D>&,      \
-                                      const ViscousFluid&, double, Nodes<D>&);
+#define PFEM_INSTANTIATE(D)                                                                                        \
+    template void releaseFromWalls<D>(const WallControls&, const Topology<D>&, const Vec<D>&, const ViscousFluid&, \
+                                      double, Nodes<D>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

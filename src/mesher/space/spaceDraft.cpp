@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <numeric>
 
+#include "conditions/freedom.hpp"
 #include "mesh/adjacency.hpp"
 #include "mesh/simplex.hpp"
-#include "conditions/freedom.hpp"
-#include "walls/wallPoints.hpp"
+#include "mesh/wallFaces.hpp"
 #include "mesher/space/hilbertOrder3.hpp"
+#include "walls/wallPoints.hpp"
 
 namespace pfem {
 
