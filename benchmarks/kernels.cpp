@@ -80,7 +80,7 @@ void Triangulation(benchmark::State& state) {
 
 void Remeshing(benchmark::State& state) {
     const TestCase& c = column(static_cast<int>(state.range(0)));
-    Triangulator triangulator;
+    Triangulator<2> triangulator;
     for (auto _ : state) {
         state.PauseTiming();
         State<2> copy = c.state;

@@ -86,10 +86,11 @@ TEST(SpaceMesh, FluidKnowsItsWalls) {
         const auto& x = state.nodes.x[i];
         const bool side = x[0] == 0 || x[0] == 1, end = x[1] == 0 || x[1] == 0.8;
         const bool at = fluid.count(i) && !solid.count(i) && x[2] < 1 && (side || end);
-        EXPECT_EQ(state.nodes.wall[i] >= 0, at) << x.transpose();
+        EXPECT_EQ(isSupported(state.nodes.wall[i]), at) << x.transpose();
         if (!at) continue;
         ++onWalls;
-        EXPECT_EQ(walls.supportsOf(x).front(), state.nodes.wall[i]);
+        EXPECT_EQ(walls.supportsOf(x).front(), state.nodes.wall[i][0]);
+        EXPECT_EQ(nSupports(state.nodes.wall[i]), side && end ? 2 : 1);
         EXPECT_EQ(walls.normalsAt(x).size(), side && end ? 2u : 1u);
         onEdges += side && end;
         EXPECT_EQ(state.nodes.v[i][0], side ? 0.0 : 1.0);

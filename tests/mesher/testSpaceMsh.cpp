@@ -104,7 +104,8 @@ TEST(SpaceMsh, BothVersionsGiveTheSameStateAgain) {
             EXPECT_NEAR(areaOf(taken.state, "base"), 1, 1e-12);
             EXPECT_NEAR(areaOf(taken.state, "tank"), 2, 1e-12);
             const auto onWalls = [](const State<3>& s) {
-                return std::count_if(s.nodes.wall.begin(), s.nodes.wall.end(), [](int w) { return w >= 0; });
+                return std::count_if(s.nodes.wall.begin(), s.nodes.wall.end(),
+                                     [](const auto& w) { return isSupported(w); });
             };
             EXPECT_EQ(onWalls(taken.state), onWalls(state()));
             for (int i = 0; i < taken.state.nodes.size(); ++i) EXPECT_NEAR(taken.state.nodes.h[i], 0.22, 0.18);

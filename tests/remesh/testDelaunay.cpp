@@ -193,7 +193,7 @@ struct Swarm {
         return faces;
     }
     /// Returns how many points have changed since the last triangulation of which `triangulator` knows.
-    void expectSame(Triangulator& triangulator, const std::vector<Face<2>>& fixed, const std::string& what) {
+    void expectSame(Triangulator<2>& triangulator, const std::vector<Face<2>>& fixed, const std::string& what) {
         const auto faces = wished();
         triangulator.follow(x, ids, all(x), fixed, faces);
         const auto mended = triangulator.triangulation(static_cast<int>(x.size()));
@@ -208,7 +208,7 @@ TEST(Triangulator, mendsToWhatComesFromNothing) {
         Swarm swarm{std::mt19937(7), {}, {}};
         for (const auto& corner : {Vec<2>(0, 0), Vec<2>(1, 0), Vec<2>(1, 1), Vec<2>(0, 1)}) swarm.add(corner);
         for (int i = 0; i < 400; ++i) swarm.add({swarm.draw(0, 1), swarm.draw(0, 1)});
-        Triangulator triangulator;
+        Triangulator<2> triangulator;
         for (int round = 0; round < 30; ++round) {
             swarm.expectSame(triangulator, {{0, 1}, {1, 2}, {2, 3}, {3, 0}},
                              std::to_string(step) + " round " + std::to_string(round));
@@ -228,7 +228,7 @@ TEST(Triangulator, hullsAndCircles) {
     Swarm swarm{std::mt19937(3), {}, {}};
     for (int i = 0; i < 15; ++i)
         for (int j = 0; j < 15; ++j) swarm.add({0.1 * i, 0.1 * j});
-    Triangulator triangulator;
+    Triangulator<2> triangulator;
     for (int round = 0; round < 40; ++round) {
         swarm.expectSame(triangulator, {}, "round " + std::to_string(round));
         if (round % 3 == 0)  // a shear keeps points on lines and takes them off circles
@@ -244,7 +244,7 @@ TEST(Triangulator, hullsAndCircles) {
 TEST(Triangulator, goesOnAfterWhatCannotBe) {
     Swarm swarm{std::mt19937(5), {}, {}};
     for (int i = 0; i < 100; ++i) swarm.add({swarm.draw(0, 1), swarm.draw(0, 1)});
-    Triangulator triangulator;
+    Triangulator<2> triangulator;
     swarm.expectSame(triangulator, {}, "start");
     const Vec<2> before = swarm.x[17];
     swarm.x[17] = swarm.x[40];

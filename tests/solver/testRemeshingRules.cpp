@@ -37,7 +37,7 @@ Rule lift(double dy, std::optional<VolumeCause> cause) {
 
 void run(const std::vector<Rule>& rules, TestCase& c) {
     const Motion<2> motion = rest(c);
-    Triangulator triangulator;
+    Triangulator<2> triangulator;
     runRules<2>(rules, {c.problem, c.controls.remeshing, motion, triangulator}, c.state);
 }
 
