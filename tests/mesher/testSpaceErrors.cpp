@@ -216,6 +216,37 @@ TEST(SpaceErrors, OfTheDictionaryNameTheLine) {
     EXPECT_EQ(meshDimension(Dictionary::parse("bodies { a { vertices (); } }"), ""), 2);
 }
 
+TEST(SpaceErrors, GapsAreClosedOrRefused) {
+    const auto at = [&](const std::string& z) {
+        return spaceMeshOf(
+                   "meshSize 0.1; geometry { w { type box; min (0 0 " + z +
+                   "); max (1 1 0.5); } p { type box; min (0 0 -0.3); max (1 1 0); } } bodies { water { type fluid; "
+                   "material water; geometry w; } plate { type solid; material rubber; geometry p; } }")
+            .state;
+    };
+    for (const char* z : {"0", "1e-16", "-1e-9", "5e-6"}) {
+        const auto state = at(z);
+        expectSound(state);
+        EXPECT_NEAR(volumeOf(state.nodes.x, state.mesh.fluid), 0.5, 1e-5);
+        double common = 0;
+        const auto solid = directedFaces(state.mesh.solid);
+        for (const auto& [face, n] : directedFaces(state.mesh.fluid))
+            if (solid.count(turned(face))) common += faceArea<3>(state.nodes.x, face).norm();
+        EXPECT_NEAR(common, 1, 1e-12) << z;
+    }
+    for (const char* z : {"2e-5", "1e-3", "9e-3", "-1e-3"})
+        EXPECT_SAYS(errorOf([&] { at(z); }), "'w' and 'p' run along each other");
+    expectSound(at("0.02"));
+    // round shapes with the same facets touch; a pier in a round tank
+    expectSound(
+        spaceMeshOf(
+            "meshSize 0.1; geometry { a { type cylinder; point1 (0 0 0); point2 (0 0 0.4); radius 0.5; } t { "
+            "type cylinder; point1 (0 0 0); point2 (0 0 1); radius 0.5; } p { type cylinder; point1 (0.1 0 0); "
+            "point2 (0.1 0 0.6); radius 0.15; } } bodies { w { type fluid; material water; geometry a; subtract "
+            "p; } p { type solid; material rubber; geometry p; } } walls { t { geometry t; open end2; } }")
+            .state);
+}
+
 /// A byte changed, a piece left out or doubled, the end cut off.
 std::string damaged(std::string text, std::mt19937& random) {
     const auto at = [&] { return random() % text.size(); };

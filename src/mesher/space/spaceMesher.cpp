@@ -8,6 +8,7 @@
 #include "mesh/simplex.hpp"
 #include "mesher/space/checkSpace.hpp"
 #include "mesher/space/featureLines.hpp"
+#include "mesher/space/joinSurfaces.hpp"
 #include "mesher/space/spaceDraft.hpp"
 
 namespace pfem {
@@ -70,8 +71,11 @@ Tetrahedra fill(const SpaceDescription& description, const SpaceDomain& domain, 
 
 }  // namespace
 
-SpaceMeshResult buildSpaceMesh(const SpaceDescription& description) {
-    auto warnings = checkSpace(description);
+SpaceMeshResult buildSpaceMesh(const SpaceDescription& asked) {
+    auto warnings = checkSpace(asked);
+    SpaceDescription description = asked;
+    joinSurfaces(description, smallestSize(asked));
+    checkGaps(description, smallestSize(asked));
     const SpaceDomain domain = domainOf(description);
     const SizeAt size = sizeField(description, domain);
     const auto lines = featureLines(domain, smallestSize(description));
