@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "mesh/simplex.hpp"
 #include "mesher/space/checkSurface.hpp"
@@ -64,27 +65,26 @@ bool mustTurn(const SpaceDescription& description, const SpaceWall& wall, const 
 }  // namespace
 
 void addWalls(const SpaceDescription& description, State<3>& state, std::vector<std::string>& warnings) {
-    std::vector<int> shared;  // nodes that walls at rest have in common
+    std::map<std::array<double, 3>, int> shared;  // nodes that walls at rest have in common
     for (const auto& wall : description.walls) {
         const TriSurface surface = wallSurface(description, wall);
         const bool turn = mustTurn(description, wall, surface, state);
         const double size = description.meshSize;
         const auto& h = state.nodes.h;
         const double smallest = h.empty() ? 1 : *std::min_element(h.begin(), h.end());
-        double extent = (surface.high() - surface.low()).norm();
         std::vector<int> number(surface.x.size(), -1);
         const auto node = [&](int point) {
             if (number[point] >= 0) return number[point];
             const Vec<3>& x = surface.x[point];
-            if (!wall.moving)
-                for (const int i : shared)
-                    if ((state.nodes.x[i] - x).norm() <= 1e-9 * extent) return number[point] = i;
+            const std::array<double, 3> place{x[0], x[1], x[2]};
+            if (const auto known = shared.find(place); !wall.moving && known != shared.end())
+                return number[point] = known->second;
             const int i = state.nodes.size();
             state.nodes.resize(i + 1);
             state.nodes.id[i] = state.nextId++;
             state.nodes.x[i] = state.nodes.X[i] = x;
             state.nodes.h[i] = size > 0 ? size : smallest;
-            if (!wall.moving) shared.push_back(i);
+            if (!wall.moving) shared[place] = i;
             return number[point] = i;
         };
         Patch<3> patch{wall.name, {}};
