@@ -24,8 +24,11 @@ int TriSurface::regionNamed(const std::string& name) const {
 }
 
 void TriSurface::addRegion(const std::string& name, const std::vector<Face<3>>& faces) {
-    const int index = static_cast<int>(regions.size());
-    regions.push_back(name);
+    int index = regionNamed(name);
+    if (index < 0) {
+        index = static_cast<int>(regions.size());
+        regions.push_back(name);
+    }
     triangles.insert(triangles.end(), faces.begin(), faces.end());
     region.resize(triangles.size(), index);
 }

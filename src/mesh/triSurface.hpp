@@ -22,7 +22,7 @@ struct TriSurface {
     /// Index of the region with this name, -1 where there is none.
     int regionNamed(const std::string& name) const;
 
-    /// Add a region with these triangles.
+    /// Add triangles to the region with this name, which need not be there yet.
     void addRegion(const std::string& name, const std::vector<Face<3>>& faces);
 };
 

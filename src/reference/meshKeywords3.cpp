@@ -35,6 +35,8 @@ std::vector<KeywordTable> spaceMeshKeywords() {
            "from 3 to 10000"},
           {"vertices", "list of points", "m", "required",
            "of extrude: a polygon (x y), counter-clockwise; with an axis (x r), (r y) or (r z)", ""},
+          {"edges", "list of arc", "m", "()",
+           "of extrude: curved edges: arc 0 1 (x y), a circular arc from vertex 0 to 1 through a point", ""},
           {"height", "scalar", "m", "required", "of extrude: along z; negative: downwards", ""},
           {"direction", "point", "m", "along z", "of extrude, instead of height: where the other end is", ""},
           {"from", "scalar", "m", "0", "of extrude: z of the first end", ""},

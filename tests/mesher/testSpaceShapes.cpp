@@ -43,6 +43,7 @@ TEST(SpaceShapes, RoundOnesConverge) {
         {"type cylinder; point1 (0 0 0); point2 (0 0 0.8); radius 0.5;", 0.25 * pi * 0.8},
         {"type cone; point1 (0 0 0); radius1 0.5; point2 (0 0.9 0); radius2 0.2;", pi * 0.9 / 3 * (0.25 + 0.1 + 0.04)},
         {"type sphere; centre (1 2 3); radius 0.5;", pi / 6},
+        {"type extrude; vertices ((0 0) (0.5 0) (-0.5 0)); edges (arc 1 2 (0 0.5)); height 0.6;", pi / 8 * 0.6},
         {"type extrude; vertices ((0.3 0) (0.6 0) (0.6 0.5) (0.3 0.5)); axis z;", pi * (0.36 - 0.09) * 0.5},
         {"type extrude; vertices ((0 0) (0.6 0) (0 0.7)); axis y; angle 270;", 0.75 * pi * 0.36 * 0.7 / 3, true},
         {"type extrude; vertices ((0 0) (0.6 0) (0.6 0.3)); axis x; angle 180;", 0.5 * pi * 0.09 * 0.6 / 3, true},

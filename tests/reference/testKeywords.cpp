@@ -99,7 +99,7 @@ TEST(Keywords, MeshDictInSpaceIsComplete) {
         "radius 1; } "
         "o { type sphere; origin (0 0 0); radius 1; } f { type plane; point (0 0 0); normal (0 0 1); side 1; } "
         "d { type disk; origin (0 0 0); normal (0 0 1); radius 1; } "
-        "e { type extrude; vertices ((0 0) (1 0) (1 1)); from 0; height 1; } "
+        "e { type extrude; vertices ((0 0) (1 0) (1 1)); edges (arc 1 2 (1.1 0.5)); from 0; height 1; } "
         "r { type extrude; vertices ((0 0) (1 0) (1 1)); direction (0 0 1); } "
         "t { type extrude; vertices ((0 0) (1 0) (1 1)); axis y; angle 90; } } "
         "bodies { a { type solid; material oil; geometry c; subtract (y); intersect (s); meshSize 0.2; velocity (1 2 "

@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <functional>
+#include <map>
 #include <numbers>
 
 #include "io/surfaceFile.hpp"
+#include "mesher/curve.hpp"
 #include "mesher/space/checkSurface.hpp"
 #include "mesher/space/shapes.hpp"
 
@@ -54,12 +55,13 @@ public:
         for (const auto& c : dict_.get<std::vector<std::vector<double>>>("vertices"))
             polygon.push_back(toPoint<2>(dict_, "vertices", c));
         if (polygon.size() < 3) dict_.fatal("vertices", "A polygon needs three vertices at least");
-        checkPolygon(polygon);
-        if (dict_.found("axis")) return turned(polygon);
+        const Polygon outline = withArcs(polygon);
+        checkPolygon(outline.points);
+        if (dict_.found("axis")) return turned(outline);
         Vec<3> by(0, 0, dict_.found("direction") ? 0 : number("height"));
         if (dict_.found("direction")) by = point("direction");
         if (by[2] == 0) dict_.fatal(dict_.found("direction") ? "direction" : "height", "The height must not be 0");
-        return extrudedSurface(polygon, {0, 0, dict_.get("from", 0.0)}, by);
+        return extrudedSurface(outline, {0, 0, dict_.get("from", 0.0)}, by);
     }
 
 private:
@@ -101,7 +103,42 @@ private:
             dict_.fatal("vertices", error.what());
         }
     }
-    TriSurface turned(const Points<2>& polygon) const {
+    /// edges (arc 1 2 (0.5 0.1)): circular arcs in pieces of half a mesh size, 24 at least.
+    Polygon withArcs(const Points<2>& vertices) const {
+        const int n = static_cast<int>(vertices.size());
+        std::map<int, Vec<2>> through;  // by edge
+        if (dict_.found("edges")) {
+            TokenReader tokens = dict_.reader("edges");
+            tokens.list([&] {
+                const auto kind = tokens.read<std::string>();
+                if (kind != "arc") dict_.fatal("edges", notValid(kind, "edge type", {"arc"}));
+                const int from = tokens.read<int>(), to = tokens.read<int>();
+                if (from < 0 || to < 0 || from >= n || to >= n || ((from + 1) % n != to && (to + 1) % n != from))
+                    dict_.fatal("edges", fmt::format("arc {} {}: there is no edge between these vertices", from, to));
+                through[(from + 1) % n == to ? from : to] =
+                    toPoint<2>(dict_, "edges", tokens.read<std::vector<double>>());
+            });
+            tokens.end();
+        }
+        Polygon outline;
+        for (int k = 0; k < n; ++k) {
+            const auto &a = vertices[k], &b = vertices[(k + 1) % n];
+            const auto arc = through.count(k) ? Curve::arc(a, through.at(k), b) : std::nullopt;
+            int pieces = 1;
+            if (arc) {
+                const double length = arc->length();
+                pieces = 24;  // of a whole circle 15 degrees each
+                if (meshSize_ > 0) pieces = std::max(pieces, static_cast<int>(std::ceil(2 * length / meshSize_)));
+            }
+            for (int p = 0; p < std::min(pieces, 400); ++p) {
+                outline.points.push_back(p == 0 ? a : arc->point(p / static_cast<double>(std::min(pieces, 400))));
+                outline.edge.push_back(k);
+            }
+        }
+        return outline;
+    }
+    TriSurface turned(const Polygon& outline) const {
+        const Points<2>& polygon = outline.points;
         const std::string word = dict_.choice("axis", {"x", "y", "z"});
         const int axis = word[0] - 'x', out = axis == 0 ? 1 : 0;
         const double angle = dict_.get("angle", 360.0);
@@ -118,7 +155,7 @@ private:
             furthest = std::max(furthest, p[out]);
         }
         const int n = std::max(3, static_cast<int>(std::lround(segments(furthest) * angle / 360)));
-        return turnedSurface(polygon, axis, angle * std::numbers::pi / 180, n);
+        return turnedSurface(outline, axis, angle * std::numbers::pi / 180, n);
     }
 
     const Dictionary& dict_;

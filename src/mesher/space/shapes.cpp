@@ -121,7 +121,8 @@ TriSurface diskSurface(const Vec<3>& centre, const Vec<3>& normal, double radius
     return s;
 }
 
-TriSurface extrudedSurface(const Points<2>& polygon, const Vec<3>& from, const Vec<3>& by) {
+TriSurface extrudedSurface(const Polygon& outline, const Vec<3>& from, const Vec<3>& by) {
+    const Points<2>& polygon = outline.points;
     const int n = static_cast<int>(polygon.size());
     TriSurface s;
     for (const Vec<3>& shift : {from, Vec<3>(from + by)})
@@ -134,7 +135,7 @@ TriSurface extrudedSurface(const Points<2>& polygon, const Vec<3>& from, const V
     }
     for (int k = 0; k < n; ++k) {
         const int l = (k + 1) % n;
-        s.addRegion("edge" + std::to_string(k), {{k, l, n + l}, {k, n + l, n + k}});
+        s.addRegion("edge" + std::to_string(outline.edge[k]), {{k, l, n + l}, {k, n + l, n + k}});
     }
     s.addRegion("start", start);
     s.addRegion("end", end);
@@ -143,7 +144,8 @@ TriSurface extrudedSurface(const Points<2>& polygon, const Vec<3>& from, const V
     return s;
 }
 
-TriSurface turnedSurface(const Points<2>& polygon, int axis, double angle, int segments) {
+TriSurface turnedSurface(const Polygon& outline, int axis, double angle, int segments) {
+    const Points<2>& polygon = outline.points;
     const int n = static_cast<int>(polygon.size()), along = axis == 0 ? 0 : 1, out = 1 - along;
     const bool whole = angle > 2 * std::numbers::pi - 1e-9;
     const int rings = whole ? segments : segments + 1;
@@ -174,7 +176,7 @@ TriSurface turnedSurface(const Points<2>& polygon, int axis, double angle, int s
             add(at[r][k], at[r][l], at[next][l]);
             add(at[r][k], at[next][l], at[next][k]);
         }
-        if (!faces.empty()) s.addRegion("edge" + std::to_string(k), faces);
+        if (!faces.empty()) s.addRegion("edge" + std::to_string(outline.edge[k]), faces);
     }
     if (!whole) {
         std::vector<Face<3>> start, end;

@@ -21,13 +21,20 @@ TriSurface planeSurface(const Vec<3>& centre, const Vec<3>& normal, double side)
 /// A circular face; region disk.
 TriSurface diskSurface(const Vec<3>& centre, const Vec<3>& normal, double radius, int segments);
 
-/// A polygon in the plane z = 0, counter-clockwise, moved by `by`; regions start and end, and edge0 edge1 ... of
-/// the polygon's edges, where edge k begins at vertex k.
-TriSurface extrudedSurface(const Points<2>& polygon, const Vec<3>& from, const Vec<3>& by);
+/// A polygon in the plane, counter-clockwise. Piece k begins at point k and is a part of edge[k]: of an arc there are
+/// several pieces.
+struct Polygon {
+    Points<2> points;
+    std::vector<int> edge;
+};
+
+/// A polygon in the plane z = 0 moved by `by`; regions start and end, and edge0 edge1 ... of
+/// the polygon's edges, named by Polygon::edge.
+TriSurface extrudedSurface(const Polygon& polygon, const Vec<3>& from, const Vec<3>& by);
 
 /// A polygon turned round an axis (0: x, 1: y, 2: z) by `angle` [rad]. Its points are (x r), (r y) or (r z) with the
 /// distance r >= 0 from the axis. Regions edge0 ..., and start and end when the angle is less than a whole turn.
-TriSurface turnedSurface(const Points<2>& polygon, int axis, double angle, int segments);
+TriSurface turnedSurface(const Polygon& polygon, int axis, double angle, int segments);
 
 /// Triangles of a simple polygon, counter-clockwise, by its vertices. Throws UserError when it crosses itself.
 std::vector<Face<3>> polygonTriangles(const Points<2>& polygon);
