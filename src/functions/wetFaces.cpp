@@ -26,9 +26,8 @@ std::vector<WetFace<Dim>> wetFaces(const State<Dim>& state, const Topology<Dim>&
         if (face.kind == FaceKind::interface)
             wet.solid = materialOfSolid.at(sorted<Dim>(face.nodes));
         else if (face.kind == FaceKind::wall) {
-            const int wall = commonWall(topology, face.nodes);
-            if (wall < 0) continue;
-            wet.patch = topology.walls[wall].patch;
+            if (face.wall < 0) continue;
+            wet.patch = topology.walls[face.wall].patch;
         } else
             continue;
         result.push_back(wet);

@@ -50,14 +50,22 @@ void findTouching(const Mesh<Dim>& mesh, const Points<Dim>& x, Topology<Dim>& t)
     }
 }
 
-/// Has the face the normal of the walls under its nodes? Its own points out of the fluid.
+/// The wall face under a face of the fluid, -1: none: a support of the first node with which all have a joined one, so
+/// that the face has the normal of the walls under its nodes.
 template <int Dim>
-bool liesOnWall(const Topology<Dim>& t, const Points<Dim>& x, const Face<Dim>& face) {
-    const int wall = commonWall(t, face);
-    if (wall < 0) return false;
-    Vec<Dim> outward = Vec<Dim>::Zero();
-    for (const int node : face) outward -= inwardNormal<Dim>(x, t.walls[t.supportOn(node, wall)].nodes);
-    return faceArea<Dim>(x, face).normalized().dot(outward) > 0.5 * outward.norm();
+int wallUnder(const Topology<Dim>& t, const Points<Dim>& x, const Face<Dim>& face) {
+    const Vec<Dim> own = faceArea<Dim>(x, face).normalized();  // out of the fluid
+    for (const int wall : t.supports[face[0]]) {
+        if (wall < 0) continue;
+        Vec<Dim> outward = Vec<Dim>::Zero();
+        const bool all = std::all_of(face.begin(), face.end(), [&](int node) {
+            const int support = t.supportOn(node, wall);
+            if (support >= 0) outward -= inwardNormal<Dim>(x, t.walls[support].nodes);
+            return support >= 0;
+        });
+        if (all && own.dot(outward) > 0.5 * outward.norm()) return wall;
+    }
+    return -1;
 }
 
 /// What depends on the walls that hold nodes; interfaces are known.
@@ -75,7 +83,8 @@ void setWalls(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const 
     for (auto& face : t.faces) {
         if (face.kind == FaceKind::interface) continue;
         const bool onSymmetry = !symmetry.empty() && symmetry.count(sorted<Dim>(face.nodes)) > 0;
-        face.kind = onSymmetry || liesOnWall<Dim>(t, x, face.nodes) ? FaceKind::wall : FaceKind::freeSurface;
+        face.wall = onSymmetry ? -1 : wallUnder<Dim>(t, x, face.nodes);
+        face.kind = onSymmetry || face.wall >= 0 ? FaceKind::wall : FaceKind::freeSurface;
         if (face.kind == FaceKind::freeSurface)
             for (int node : face.nodes) t.freeSurface[node] = 1;
     }

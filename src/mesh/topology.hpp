@@ -55,6 +55,7 @@ enum class FaceKind { freeSurface, interface, wall };
 template <int Dim>
 struct FluidFace : BoundaryFace<Dim> {
     FaceKind kind;
+    int wall = -1;  // of a face on a rigid wall: the wall face under it, a support of its first node
 };
 
 template <int Dim>
@@ -89,16 +90,6 @@ struct Topology {
         return -1;
     }
 };
-
-/// A wall face, one of the first node's, with which all `nodes` have a joined support; -1 when there is none.
-template <int Dim, std::size_t N>
-int commonWall(const Topology<Dim>& topology, const std::array<int, N>& nodes) {
-    for (const int face : topology.supports[nodes[0]])
-        if (face >= 0 &&
-            std::all_of(nodes.begin(), nodes.end(), [&](int node) { return topology.supportOn(node, face) >= 0; }))
-            return face;
-    return -1;
-}
 
 /// `kinds`: one per patch of the mesh; x, wall: of the nodes. A fluid face is an interface where a solid face
 /// coincides, a wall where all its nodes lie on joined walls whose normals it has, or on one symmetry patch, and free

@@ -11,14 +11,13 @@ namespace {
 /// Is the face a chord of a bent wall, or of two round a convex edge? Solids bear what is on their nodes.
 template <int Dim>
 bool isChord(const Topology<Dim>& topology, const FluidFace<Dim>& face) {
-    if (face.kind != FaceKind::wall) return false;
+    if (face.wall < 0) return false;
     if (std::any_of(face.nodes.begin(), face.nodes.end(), [&](int node) { return topology.onSolid[node]; }))
         return false;
-    const int wall = commonWall(topology, face.nodes);
-    return wall >= 0 && std::any_of(face.nodes.begin(), face.nodes.end(), [&](int node) {
-               const int own = topology.supportOn(node, wall);
-               return topology.walls[own].bent || topology.walls[own].region != topology.walls[wall].region;
-           });
+    return std::any_of(face.nodes.begin(), face.nodes.end(), [&](int node) {
+        const int own = topology.supportOn(node, face.wall);
+        return topology.walls[own].bent || topology.walls[own].region != topology.walls[face.wall].region;
+    });
 }
 
 /// int_f N_I N_J dS = |f| (1 + delta_IJ)/(Dim (Dim + 1)).

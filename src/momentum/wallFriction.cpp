@@ -27,9 +27,8 @@ void addWallFriction(const Problem<Dim>& problem, const Cells<Dim>& fluid, const
     const auto& conditions = problem.conditions;
     if (std::all_of(conditions.friction.begin(), conditions.friction.end(), [](double c) { return c == 0; })) return;
     for (const auto& face : topology.faces) {
-        const int wall = face.kind == FaceKind::wall ? commonWall(topology, face.nodes) : -1;
-        if (wall < 0) continue;
-        const int patch = topology.walls[wall].patch;
+        if (face.wall < 0) continue;
+        const int patch = topology.walls[face.wall].patch;
         const Vec<Dim> area = faceArea<Dim>(nodes.x, face.nodes);
         const double measure = area.norm(), rho = problem.fluid(fluid.material[face.cell]).rho;
         if (conditions.friction[patch] == 0 || measure == 0) continue;

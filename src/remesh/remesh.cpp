@@ -24,16 +24,15 @@ template <int Dim>
 Supports<Dim> supportsOf(const Topology<Dim>& topology, std::array<int, 2> edge) {
     Supports<Dim> supports = unsupported<Dim>();
     for (const auto& face : topology.faces) {
-        if (face.kind != FaceKind::wall || commonWall(topology, face.nodes) < 0) continue;
+        if (face.wall < 0) continue;
         const auto has = [&](int node) {
             return std::find(face.nodes.begin(), face.nodes.end(), node) != face.nodes.end();
         };
         if (!has(edge[0]) || !has(edge[1])) continue;
-        const int wall = commonWall(topology, face.nodes);
         const bool known = std::any_of(supports.begin(), supports.end(), [&](int other) {
-            return other >= 0 && topology.walls[other].region == topology.walls[wall].region;
+            return other >= 0 && topology.walls[other].region == topology.walls[face.wall].region;
         });
-        if (!known) addSupport(supports, wall);
+        if (!known) addSupport(supports, face.wall);
     }
     return supports;
 }
