@@ -197,4 +197,56 @@ TEST(Space, ballBecomesAnEllipsoid) {
     }
 }
 
+/// Amplitude of cos(k x) cos(l y) of the surface's height, from its faces.
+double modeOf(const TestCase3& c, const Vec<2>& k, double level) {
+    const auto topology = c.topology();
+    double sum = 0;
+    for (const auto& face : topology.faces) {
+        if (face.kind != FaceKind::freeSurface) continue;
+        const double flat = faceArea<3>(c.state.nodes.x, face.nodes)[2];
+        for (const int i : face.nodes) {
+            const Vec<3>& x = c.state.nodes.x[i];
+            sum += flat / 3 * (x[2] - level) * std::cos(k[0] * x[0]) * std::cos(k[1] * x[1]);
+        }
+    }
+    return sum;
+}
+
+/// Zero crossings of a signal from its maximum at t = 0: the period, from the last of them.
+double periodOf(const std::vector<double>& t, const std::vector<double>& y) {
+    double mean = 0, last = 0;
+    for (const double v : y) mean += v / static_cast<double>(y.size());
+    int crossings = 0;
+    for (std::size_t n = 1; n < y.size(); ++n)
+        if ((y[n] - mean) * (y[n - 1] - mean) < 0) {
+            last = t[n - 1] + (t[n] - t[n - 1]) * (y[n - 1] - mean) / (y[n - 1] - y[n]);
+            ++crossings;
+        }
+    return last / (0.25 + 0.5 * (crossings - 1));
+}
+
+// Modes (1,0) and (1,1) of a box 1 x 0.6 m, 0.5 m deep: omega^2 = g k tanh(k H).
+TEST(Space, boxSloshes) {
+    for (const int m : {0, 1}) {
+        const double L = 1, B = 0.6, H = 0.5, amplitude = 0.01, h = 0.1, dt = 0.01;
+        const Vec<2> k(M_PI / L, m * M_PI / B);
+        TestCase3 c = boxOfWater({L, B, H}, {L, B, 0.8}, h, "slip", 1e-3, 0.1);
+        for (auto& x : c.state.nodes.x)
+            if (x[2] < H + 1e-9) x[2] += x[2] / H * amplitude * std::cos(k[0] * x[0]) * std::cos(k[1] * x[1]);
+        c.start(dt);
+        const double omega = std::sqrt(g * k.norm() * std::tanh(k.norm() * H)), volume = totalVolume<3>(c.state);
+        std::vector<double> t{0}, y{modeOf(c, k, H)};
+        while (c.state.time.value < 2.3 * 2 * M_PI / omega) {
+            c.step(dt);
+            t.push_back(c.state.time.value);
+            y.push_back(modeOf(c, k, H));
+        }
+        const double ratio = periodOf(t, y) * omega / (2 * M_PI);
+        std::cout << "mode (1," << m << "): period " << ratio << " of theory, volume "
+                  << totalVolume<3>(c.state) / volume - 1 << "\n";
+        EXPECT_NEAR(ratio, 1, m == 0 ? 0.01 : 0.06) << m;  // 20 and 10 cells a wave
+        EXPECT_NEAR(totalVolume<3>(c.state), volume, 5e-4 * volume);
+    }
+}
+
 }  // namespace
