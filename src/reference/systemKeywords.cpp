@@ -19,6 +19,7 @@ std::vector<KeywordTable> systemKeywords() {
         {solution, "solid", "Elastic solids.", describeEntries<SolidControls>()},
         {solution, "remeshing", "Joining the fluid's nodes to triangles after each step.",
          describeEntries<RemeshingControls>()},
+        {solution, "remeshing/expert", "What hardly changes results.", describeEntries<ExpertRemeshing>()},
     };
 }
 

@@ -66,7 +66,7 @@ double distanceToPlaces(const CandidateNodes<Dim>& nodes, const Simplex<Dim>& s,
 template <int Dim>
 bool isContact(const RemeshingControls& c, const CandidateNodes<Dim>& nodes, const Simplex<Dim>& s) {
     const double h = meanSize<Dim>(nodes, s);
-    if (circumradius<Dim>(nodes.x, s) > c.newContactRadius * h) return false;
+    if (circumradius<Dim>(nodes.x, s) > c.expert.newContactRadius * h) return false;
     int held = 0, dry = 0, fluidNode = -1, dryNode = -1;
     for (int k = 0; k <= Dim; ++k) {
         if (!nodes.onSolid[s[k]]) {
@@ -138,7 +138,8 @@ private:
     /// Where fluid, two nodes in cells or drops, may soon meet fluid or a solid.
     bool isGap(const Simplex<Dim>& s) const {
         const auto fluid = std::count_if(s.begin(), s.end(), [&](int node) { return !nodes_.onSolid[node]; });
-        return fluid >= 2 && circumradius<Dim>(nodes_.x, s) < controls_.newContactRadius * meanSize<Dim>(nodes_, s);
+        return fluid >= 2 &&
+               circumradius<Dim>(nodes_.x, s) < controls_.expert.newContactRadius * meanSize<Dim>(nodes_, s);
     }
 
     /// Does the moved old mesh hold the point? Mostly in a cell of one of the triangle's own nodes.
@@ -232,13 +233,13 @@ private:
     }
 
     bool isSliver(const Simplex<Dim>& s) const {
-        return simplexMeasure<Dim>(nodes_.x, s) < controls_.sliver * sizeMeasure<Dim>(meanSize<Dim>(nodes_, s));
+        return simplexMeasure<Dim>(nodes_.x, s) < controls_.expert.sliver * sizeMeasure<Dim>(meanSize<Dim>(nodes_, s));
     }
 
     bool isStretched(int e) const {
         const auto& s = t_.cells[e];
-        return isSliver(s) ||
-               circumradius<Dim>(nodes_.x, s) > controls_.alpha * controls_.alphaInside * meanSize<Dim>(nodes_, s);
+        return isSliver(s) || circumradius<Dim>(nodes_.x, s) >
+                                  controls_.expert.alpha * controls_.expert.alphaInside * meanSize<Dim>(nodes_, s);
     }
 
     /// A lone triangle between places of solids: what little it holds, no fluid node can carry.
@@ -253,7 +254,7 @@ private:
         const auto& s = t_.cells[e];
         if (std::none_of(s.begin(), s.end(), [&](int node) { return cells_[node] == 1 && !nodes_.onSolid[node]; }))
             return false;
-        const double least = controls_.hangingArea * sizeMeasure<Dim>(meanSize<Dim>(nodes_, s));
+        const double least = controls_.expert.hangingArea * sizeMeasure<Dim>(meanSize<Dim>(nodes_, s));
         return simplexMeasure<Dim>(nodes_.x, s) < least ||
                simplexDivergence<Dim>(nodes_.x, nodes_.v, s) * nodes_.dt < -0.5;
     }

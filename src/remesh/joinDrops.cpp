@@ -43,7 +43,7 @@ void joinDrops(const RemeshingControls& controls, MovedMesh<Dim>& moved, State<D
     Nodes<Dim>& nodes = state.nodes;
     moved.joins.assign(nodes.size(), -1);
     const auto drops = sortedDrops<Dim>(state);
-    const double limit = std::min(controls.removeDistanceFilm, controls.removeDistanceSurface);
+    const double limit = std::min(controls.expert.removeDistanceFilm, controls.removeDistanceSurface);
     for (int i = 0; !drops.empty() && i < nodes.size(); ++i) {
         if (!moved.topology.wet(i)) continue;
         const double x = nodes.x[i][0], widest = limit * nodes.h[i];

@@ -66,7 +66,7 @@ private:
     bool stays(int i) const { return kept_[i] || nSupports(moved_.topology.supports[i]) == Dim; }
 
     bool isNear(int i, int corner) const {
-        return !locked_[i] && (moved_.x[i] - moved_.x[corner]).norm() <= controls_.walls.cornerDistance * h_[i];
+        return !locked_[i] && (moved_.x[i] - moved_.x[corner]).norm() <= controls_.expert.walls.cornerDistance * h_[i];
     }
 
     void remove(int i) {
@@ -84,7 +84,7 @@ private:
             const double volume = Dim * simplexMeasure<Dim>(moved_.x, cell),
                          area = faceArea<Dim>(moved_.x, face.nodes).norm();
             for (int i : cell)
-                under[i] |= !t.freeSurface[i] && !t.onWall[i] && volume < controls_.removeHeight * h_[i] * area;
+                under[i] |= !t.freeSurface[i] && !t.onWall[i] && volume < controls_.expert.removeHeight * h_[i] * area;
         }
         return under;
     }
@@ -125,7 +125,7 @@ private:
     double distanceFrom(int j, bool surface, bool film) const {
         if (!surface) return controls_.removeDistance;
         if (film && moved_.topology.freeSurface[j] && !stays(j))
-            return std::min(controls_.removeDistanceFilm, controls_.removeDistanceSurface);
+            return std::min(controls_.expert.removeDistanceFilm, controls_.removeDistanceSurface);
         const bool boundary = moved_.topology.freeSurface[j] || moved_.topology.onWall[j] || kept_[j];
         return boundary ? controls_.removeDistanceSurface : 0;
     }

@@ -43,6 +43,18 @@ std::string applyStressUpdate(const Dictionary& pfemSolution, Problem<Dim>& prob
         at.file, at.line, neoHookean ? "neoHookean" : "hypoelasticPaper", names);
 }
 
+std::string takeFormerRemeshing(const Dictionary& pfemSolution, ExpertRemeshing& expert) {
+    const Dictionary& dict = pfemSolution.subDictOrEmpty("remeshing");
+    std::string names;
+    for (const auto& row : describeEntries<ExpertRemeshing>())
+        if (dict.found(row.name)) names += (names.empty() ? "" : " ") + row.name;
+    if (names.empty()) return "";
+    readEntries(dict, expert);
+    const Location at = dict.where();
+    return fmt::format("{}:{}: write these entries of 'remeshing' into its sub-dictionary 'expert': {}", at.file,
+                       at.line, names);
+}
+
 #define PFEM_INSTANTIATE(D) template std::string applyStressUpdate<D>(const Dictionary&, Problem<D>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)

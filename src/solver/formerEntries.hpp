@@ -5,6 +5,7 @@
 
 #include "conditions/problem.hpp"
 #include "dictionary/dictionary.hpp"
+#include "remesh/controls.hpp"
 
 namespace pfem {
 
@@ -12,5 +13,9 @@ namespace pfem {
 /// hypoelasticPaper or neoHookean. Returns what to write instead, empty when there is nothing to say.
 template <int Dim>
 std::string applyStressUpdate(const Dictionary& pfemSolution, Problem<Dim>& problem);
+
+/// Entries of `remeshing` that now stand in its sub-dictionary `expert` are still read where they stood. Returns what
+/// to write now, nothing when there are none.
+std::string takeFormerRemeshing(const Dictionary& pfemSolution, ExpertRemeshing& expert);
 
 }  // namespace pfem

@@ -51,12 +51,12 @@ void release(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome
 
 template <int Dim>
 void land(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>&) {
-    landOnWalls<Dim>(c.controls.walls, c.motion.topology, c.motion.xOld, c.problem.gravity.norm(), state);
+    landOnWalls<Dim>(c.controls.expert.walls, c.motion.topology, c.motion.xOld, c.problem.gravity.norm(), state);
 }
 
 template <int Dim>
 void putBack(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>& outcome) {
-    outcome.returned = returnPenetrating<Dim>(c.motion.topology, c.controls.walls.wallDistance, state);
+    outcome.returned = returnPenetrating<Dim>(c.motion.topology, c.controls.expert.walls.wallDistance, state);
 }
 
 /// What all the motions have changed is taken from what the nodes lack; what pressure has taken is not lost.

@@ -88,8 +88,11 @@ Controls readControls(const Case& theCase, std::ostream* warnings) {
     readPart(dict, "continuity", controls.continuity);
     readPart(dict, "solid", controls.solid);
     readPart(dict, "remeshing", controls.remeshing);
+    readPart(dict.subDictOrEmpty("remeshing"), "expert", controls.remeshing.expert);
+    const std::string moved = takeFormerRemeshing(dict, controls.remeshing.expert);
+    if (warnings && !moved.empty()) *warnings << "--> PFEM Warning: " << moved << "\n";
     const auto& r = controls.remeshing;
-    if (r.insertDistance < 2 * std::max({r.removeDistance, r.removeDistanceSurface, r.removeDistanceFilm}))
+    if (r.insertDistance < 2 * std::max({r.removeDistance, r.removeDistanceSurface, r.expert.removeDistanceFilm}))
         dict.subDictOrEmpty("remeshing")
             .fatal(
                 "insertDistance",

@@ -41,7 +41,7 @@ Landing landingOn(const Lines& line, const Vec<2>& xOld, const Vec<2>& x, double
 
 class Lander {
 public:
-    Lander(const WallControls& controls, const Topology<2>& topology, const Points<2>& xOld, double gravity,
+    Lander(const WallDistances& controls, const Topology<2>& topology, const Points<2>& xOld, double gravity,
            Nodes<2>& nodes)
         : controls_(controls), topology_(topology), xOld_(xOld), gravity_(gravity), nodes_(nodes) {}
 
@@ -200,7 +200,7 @@ private:
         }
     }
 
-    const WallControls& controls_;
+    const WallDistances& controls_;
     const Topology<2>& topology_;
     const Points<2>& xOld_;
     double gravity_;
@@ -211,7 +211,7 @@ private:
 }  // namespace
 
 template <>
-void landOnWalls<2>(const WallControls& controls, const Topology<2>& topology, const Points<2>& xOld, double gravity,
+void landOnWalls<2>(const WallDistances& controls, const Topology<2>& topology, const Points<2>& xOld, double gravity,
                     State<2>& state) {
     Lander(controls, topology, xOld, gravity, state.nodes).run();
 }

@@ -15,7 +15,7 @@ namespace pfem {
 ///  - is free where the wall ends.
 /// In a convex corner only calm water is held (state/calm.hpp).
 template <int Dim>
-void landOnWalls(const WallControls& controls, const Topology<Dim>& topology, const Points<Dim>& xOld, double gravity,
+void landOnWalls(const WallDistances& controls, const Topology<Dim>& topology, const Points<Dim>& xOld, double gravity,
                  State<Dim>& state);
 
 }  // namespace pfem

@@ -23,7 +23,7 @@ struct Landing {
 
 class Lander {
 public:
-    Lander(const WallControls& controls, const Topology<3>& topology, const Points<3>& xOld, Nodes<3>& nodes)
+    Lander(const WallDistances& controls, const Topology<3>& topology, const Points<3>& xOld, Nodes<3>& nodes)
         : controls_(controls), topology_(topology), xOld_(xOld), nodes_(nodes) {}
 
     void run() {
@@ -173,7 +173,7 @@ private:
         }
     }
 
-    const WallControls& controls_;
+    const WallDistances& controls_;
     const Topology<3>& topology_;
     const Points<3>& xOld_;
     Nodes<3>& nodes_;
@@ -183,7 +183,7 @@ private:
 }  // namespace
 
 template <>
-void landOnWalls<3>(const WallControls& controls, const Topology<3>& topology, const Points<3>& xOld, double,
+void landOnWalls<3>(const WallDistances& controls, const Topology<3>& topology, const Points<3>& xOld, double,
                     State<3>& state) {
     Lander(controls, topology, xOld, state.nodes).run();
 }

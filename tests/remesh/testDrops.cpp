@@ -49,7 +49,7 @@ TEST(Drops, landWhereTheirWayCrossesAWall) {
     x[side] += Vec<2>(0.4, -0.4);
     x[floor] += Vec<2>(0.1, -1.2);
     x[past] += Vec<2>(0.2, 1.2);  // over the end of the wall
-    landOnWalls<2>(c.controls.remeshing.walls, topology, old, 9.81, c.state);
+    landOnWalls<2>(c.controls.remeshing.expert.walls, topology, old, 9.81, c.state);
     EXPECT_LT((x[side] - Vec<2>(1, 0.7)).norm(), 1e-12);
     EXPECT_LT((x[floor] - Vec<2>(0.85, 0)).norm(), 1e-12);
     EXPECT_LT((x[past] - Vec<2>(1.1, 2.1)).norm(), 1e-12);

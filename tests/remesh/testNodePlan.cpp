@@ -25,7 +25,7 @@ TEST(NodePlan, acrossAFilm) {
     const auto film = [](double thickness, double limit) {
         TestCase c = makeCase(
             "meshSize 0.1; bodies ( film { type fluid; material water; " + rectangle(0, 0, 1, h) + " } );", water, "");
-        c.controls.remeshing.removeDistanceFilm = limit;
+        c.controls.remeshing.expert.removeDistanceFilm = limit;
         for (auto& x : c.state.nodes.x) x[1] *= thickness;  // in units of h
         return removed(c);
     };
@@ -42,7 +42,7 @@ int underSurface(double height, double limit, const std::string& walls = "", con
         "meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.5) + " } );" + walls,
         water, conditions);
     c.controls.remeshing.removeDistance = 0.5;  // the ends of the face are 0.5 h away at least
-    c.controls.remeshing.removeHeight = limit;
+    c.controls.remeshing.expert.removeHeight = limit;
     const auto topology = c.topology();
     auto& x = c.state.nodes.x;
     for (const auto& face : topology.faces) {

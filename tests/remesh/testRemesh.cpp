@@ -192,7 +192,7 @@ TEST(Walls, nodeThatCrossedAWallLandsOnIt) {
     c.state.nodes.v[i] = {2, -5};
     const double moved = areaOf(c.state);
     MotionAccount<2> account(c.state);
-    landOnWalls<2>(c.controls.remeshing.walls, topology, old, 9.81, c.state);
+    landOnWalls<2>(c.controls.remeshing.expert.walls, topology, old, 9.81, c.state);
     account.book(VolumeCause::landed, c.state);
     EXPECT_NEAR(c.state.nodes.x[i][1], 0, 1e-14);
     EXPECT_NEAR(c.state.nodes.x[i][0], 0.5, 1e-12);
