@@ -23,7 +23,8 @@ double pressureError(const TestCase3& c, double top) {
     const auto topology = c.topology();
     double most = 0;
     for (int i = 0; i < c.state.nodes.size(); ++i)
-        if (topology.wet(i)) most = std::max(most, std::abs(c.state.nodes.p[i] / (1000 * g) - (top - c.state.nodes.x[i][2])));
+        if (topology.wet(i))
+            most = std::max(most, std::abs(c.state.nodes.p[i] / (1000 * g) - (top - c.state.nodes.x[i][2])));
     return most / top;
 }
 
@@ -77,8 +78,8 @@ TestCase3 cylinderOfWater(double R, double depth, double h) {
         tank.faces.push_back(floor.faces[tank.faces.size()]);
     }
     state.mesh.patches.push_back(tank);
-    c.problem.materials = readMaterials(
-        Dictionary::parse("water { type newtonian; rho 1000; mu 1e-3; kappa 2.1e9; }", "materials"));
+    c.problem.materials =
+        readMaterials(Dictionary::parse("water { type newtonian; rho 1000; mu 1e-3; kappa 2.1e9; }", "materials"));
     c.problem.gravity = {0, 0, -g};
     c.problem.conditions =
         readBoundaryConditions<3>(Dictionary::parse("tank { type slip; }", "boundaryConditions"), state.mesh.patches);
@@ -117,7 +118,7 @@ TEST(Space, freeFall) {
 /// and a^2 c = 1 the pressure is quadratic and zero at the surface; energy T = (4 pi/3) rho a^2 c (2 a'^2 + c'^2)/10 is
 /// constant. Runge-Kutta in time.
 std::pair<double, double> ellipsoid(double A, double time) {
-    double a = 1, rate = A;  // a'/a
+    double a = 1, rate = A;                       // a'/a
     const auto slope = [](double a0, double r) {  // c = a^-2, c'/c = -2 r: T ~ (a r)^2 + 2 (r/a^2)^2 is constant
         const double a6 = std::pow(a0, -6);
         // d/dt of (a^2 r^2 + 2 r^2 a^-4) = 0:  r' = -r^2 (a^2 - 4 a^-4)/(a^2 + 2 a^-4)
@@ -158,8 +159,8 @@ TestCase3 ball(double h, double A) {
         state.nodes.h[i] = h;
         state.nodes.v[i] = A * Vec<3>(state.nodes.x[i][0], state.nodes.x[i][1], -2 * state.nodes.x[i][2]);
     }
-    c.problem.materials = readMaterials(
-        Dictionary::parse("water { type newtonian; rho 1000; mu 0; kappa 2.1e12; }", "materials"));
+    c.problem.materials =
+        readMaterials(Dictionary::parse("water { type newtonian; rho 1000; mu 0; kappa 2.1e12; }", "materials"));
     c.problem.conditions = readBoundaryConditions<3>(Dictionary::parse("", "boundaryConditions"), {});
     return c;
 }
