@@ -83,6 +83,14 @@ struct Topology {
         const int a = walls[face].region, b = walls[other].region;
         return a == b || std::binary_search(convex.begin(), convex.end(), std::pair(a, b));
     }
+    /// Have all nodes of a face a support on one wall?
+    bool liesOnWall(const Face<Dim>& face) const {
+        const auto& walls = supports[face[0]];
+        return std::any_of(walls.begin(), walls.end(), [&](int wall) {
+            return wall >= 0 &&
+                   std::all_of(face.begin(), face.end(), [&](int node) { return supportOn(node, wall) >= 0; });
+        });
+    }
     /// The support of a node that is joined with a wall face, -1: none.
     int supportOn(int node, int face) const {
         for (const int own : supports[node])

@@ -33,6 +33,7 @@ int returnPenetrating(const Topology<Dim>& topology, double distance, State<Dim>
     std::vector<Face<Dim>> faces;
     Points<Dim> ends;
     for (const auto& face : boundaryFaces<Dim>(state.mesh.solid.nodes, topology.solid)) {
+        if (topology.liesOnWall(face.nodes)) continue;  // behind it there is no fluid
         faces.push_back(face.nodes);
         for (const int node : face.nodes) ends.push_back(nodes.x[node]);
     }
