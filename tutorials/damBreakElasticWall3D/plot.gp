@@ -7,7 +7,7 @@ set xlabel "time [s]"
 set ylabel "u_x of the wall's tip [m]"
 set key top right
 set output "tips.png"
-set title "Dam break on an elastic wall: in the plane and in space, four mesh sizes between slippery sides"
+set title "Dam break on an elastic wall: in the plane and in space, a strip between slippery sides"
 plot "< pfemHistory -csv -case study/plane tips D" using 1:2 with lines lw 5 lc rgb "#bbccee" title "plane", \
      "< pfemHistory -csv tips D" using 1:2 with lines lw 1.5 lc rgb "#cc3311" title "space, at one side", \
      "" using 1:5 with lines lw 1.5 lc rgb "black" title "in the middle", \
