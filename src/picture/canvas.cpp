@@ -28,6 +28,22 @@ struct Destroy {
     void operator()(cairo_surface_t* s) const { cairo_surface_destroy(s); }
 };
 
+std::unique_ptr<cairo_surface_t, Destroy> surfaceOf(const Image& image) {
+    std::unique_ptr<cairo_surface_t, Destroy> surface(
+        cairo_image_surface_create(CAIRO_FORMAT_RGB24, image.width, image.height));
+    check(cairo_surface_status(surface.get()));
+    unsigned char* const data = cairo_image_surface_get_data(surface.get());
+    const int stride = cairo_image_surface_get_stride(surface.get());
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const Colour& c = image.at(x, y);
+            reinterpret_cast<std::uint32_t*>(data + static_cast<std::ptrdiff_t>(y) * stride)[x] =
+                static_cast<std::uint32_t>(c[0]) << 16 | static_cast<std::uint32_t>(c[1]) << 8 | c[2];
+        }
+    cairo_surface_mark_dirty(surface.get());
+    return surface;
+}
+
 }  // namespace
 
 const std::vector<std::string>& pictureFormats() {
@@ -100,7 +116,7 @@ struct Canvas::Cairo {
 };
 
 Canvas::Canvas(int width, int height, PictureFormat format)
-    : width_(width), height_(height), cairo_(std::make_unique<Cairo>(width, height, format)) {}
+    : width_(width), height_(height), format_(format), cairo_(std::make_unique<Cairo>(width, height, format)) {}
 Canvas::~Canvas() = default;
 Canvas::Canvas(Canvas&&) noexcept = default;
 Canvas& Canvas::operator=(Canvas&&) noexcept = default;
@@ -153,6 +169,18 @@ void Canvas::triangles(const std::vector<ShadedTriangle>& triangles, const std::
     const auto bands = bandsOf(triangles);
     for (int band = 0; band < nBands; ++band)
         if (!bands[band].empty()) fill(bands[band], colourOf(bandFraction(band)));
+}
+
+void Canvas::picture(const Image& image, int left, int top, int fine) {
+    cairo_t* const c = cairo_->context.get();
+    const auto source = surfaceOf(image);
+    cairo_save(c);
+    cairo_translate(c, left, top);
+    cairo_scale(c, 1.0 / fine, 1.0 / fine);
+    cairo_set_source_surface(c, source.get(), 0, 0);
+    cairo_pattern_set_filter(cairo_get_source(c), CAIRO_FILTER_NEAREST);
+    cairo_paint(c);
+    cairo_restore(c);
 }
 
 void Canvas::line(const Vec<2>& a, const Vec<2>& b, double thickness, Colour colour) {
@@ -208,18 +236,7 @@ std::string Canvas::file() {
 }
 
 std::string pngOf(const Image& image) {
-    const std::unique_ptr<cairo_surface_t, Destroy> surface(
-        cairo_image_surface_create(CAIRO_FORMAT_RGB24, image.width, image.height));
-    check(cairo_surface_status(surface.get()));
-    unsigned char* const data = cairo_image_surface_get_data(surface.get());
-    const int stride = cairo_image_surface_get_stride(surface.get());
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x) {
-            const Colour& c = image.at(x, y);
-            reinterpret_cast<std::uint32_t*>(data + static_cast<std::ptrdiff_t>(y) * stride)[x] =
-                static_cast<std::uint32_t>(c[0]) << 16 | static_cast<std::uint32_t>(c[1]) << 8 | c[2];
-        }
-    cairo_surface_mark_dirty(surface.get());
+    const auto surface = surfaceOf(image);
     std::string bytes;
     check(cairo_surface_write_to_png_stream(surface.get(), append, &bytes));
     return bytes;

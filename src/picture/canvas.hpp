@@ -44,6 +44,7 @@ public:
 
     int width() const { return width_; }
     int height() const { return height_; }
+    PictureFormat format() const { return format_; }
 
     /// Nothing is drawn outside of `box` until the next call.
     void clip(const Box& box);
@@ -54,6 +55,9 @@ public:
 
     /// Each point gets the colour of its linearly interpolated value, to a 256th of the scale.
     void triangles(const std::vector<ShadedTriangle>& triangles, const std::function<Colour(double)>& colourOf);
+
+    /// Pixels with their top left corner at (left, top), `fine` of them to one of the canvas in each direction.
+    void picture(const Image& image, int left, int top, int fine = 1);
 
     /// With round ends; a line of no length is a dot.
     void line(const Vec<2>& a, const Vec<2>& b, double thickness, Colour colour);
@@ -76,6 +80,7 @@ private:
     void fill(const std::vector<Polygon>& polygons, Colour colour);
 
     int width_, height_;
+    PictureFormat format_;
     std::unique_ptr<Cairo> cairo_;
 };
 

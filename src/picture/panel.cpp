@@ -21,12 +21,10 @@ Colour meshColourOn(Colour fill) {
     return dark ? Colour{165, 165, 165} : Colour{40, 40, 40};
 }
 
-bool has(Region region, Region place) { return region == Region::both || region == place; }
-
 /// Draws the parts of one state; places are turned to pixels here.
 class Painter {
 public:
-    Painter(Canvas& canvas, const Box& box, const Window& window, const State<2>& state, const PanelStyle& style)
+    Painter(Canvas& canvas, const Box& box, const Window& window, const State<2>& state, const PanelStyle<2>& style)
         : canvas_(canvas),
           box_(box),
           low_(window.low),
@@ -35,7 +33,7 @@ public:
           style_(style) {}
 
     void cells(const Cells<2>& cells, Region region, Colour plain) {
-        const bool coloured = has(style_.field->region, region);
+        const bool coloured = hasValues(*style_.field, region);
         std::vector<ShadedTriangle> shaded;
         std::vector<std::array<Vec<2>, 3>> flat;
         for (const auto& cell : cells.nodes) {
@@ -73,7 +71,7 @@ public:
             if (volume <= 0) continue;
             const double radius = std::max(0.9 * style_.pen, scale_ * std::sqrt(volume / 3.141592653589793));
             canvas_.disc(place(i), radius,
-                         has(style_.field->region, Region::fluid) ? style_.colourOf(fraction(i)) : plainFluid);
+                         hasValues(*style_.field, Region::fluid) ? style_.colourOf(fraction(i)) : plainFluid);
         }
     }
 
@@ -91,20 +89,18 @@ private:
     Vec<2> low_;
     double scale_;  // pixels per metre
     const State<2>& state_;
-    const PanelStyle& style_;
+    const PanelStyle<2>& style_;
 };
 
-template <class Function>
-void forCellNodes(const State<2>& state, Region region, const Function& function) {
-    if (has(region, Region::fluid))
-        for (const auto& cell : state.mesh.fluid.nodes) std::for_each(cell.begin(), cell.end(), function);
-    if (has(region, Region::solid))
-        for (const auto& cell : state.mesh.solid.nodes) std::for_each(cell.begin(), cell.end(), function);
+template <int Dim, class Function>
+void forNodes(const Cells<Dim>& cells, const Function& function) {
+    for (const auto& cell : cells.nodes) std::for_each(cell.begin(), cell.end(), function);
 }
 
 }  // namespace
 
-void drawPanel(Canvas& canvas, const Box& box, const Window& window, const State<2>& state, const PanelStyle& style) {
+void drawPanel(Canvas& canvas, const Box& box, const Window& window, const State<2>& state,
+               const PanelStyle<2>& style) {
     const double rim = style.pen;  // lines on the edge of the window keep their thickness
     canvas.clip({box.left - rim, box.top, box.right + rim, box.bottom + rim});
     Painter painter(canvas, box, window, state, style);
@@ -119,20 +115,28 @@ void drawPanel(Canvas& canvas, const Box& box, const Window& window, const State
 Window windowOf(const State<2>& state) {
     constexpr double huge = std::numeric_limits<double>::max();
     Window window{Vec<2>::Constant(huge), Vec<2>::Constant(-huge)};
-    forCellNodes(state, Region::both, [&](int i) {
+    const auto include = [&](int i) {
         window.low = window.low.cwiseMin(state.nodes.x[i]);
         window.high = window.high.cwiseMax(state.nodes.x[i]);
-    });
+    };
+    forNodes<2>(state.mesh.fluid, include);
+    forNodes<2>(state.mesh.solid, include);
     return window;
 }
 
-ValueRange rangeOf(const State<2>& state, const PictureField& field) {
+template <int Dim>
+ValueRange rangeOf(const State<Dim>& state, const PictureField<Dim>& field) {
     ValueRange range{std::numeric_limits<double>::max(), -std::numeric_limits<double>::max()};
-    forCellNodes(state, field.region, [&](int i) {
+    const auto include = [&](int i) {
         const double value = field.value(state.nodes, i);
         range = {std::min(range.low, value), std::max(range.high, value)};
-    });
+    };
+    if (hasValues(field, Region::fluid)) forNodes<Dim>(state.mesh.fluid, include);
+    if (hasValues(field, Region::solid)) forNodes<Dim>(state.mesh.solid, include);
     return range;
 }
+
+template ValueRange rangeOf(const State<2>&, const PictureField<2>&);
+template ValueRange rangeOf(const State<3>&, const PictureField<3>&);
 
 }  // namespace pfem

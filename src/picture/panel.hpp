@@ -20,8 +20,9 @@ struct ValueRange {
     double low, high;
 };
 
+template <int Dim>
 struct PanelStyle {
-    const PictureField* field = nullptr;
+    const PictureField<Dim>* field = nullptr;
     ValueRange range{0, 1};                  // of the field, from one end of the colours to the other
     std::function<Colour(double)> colourOf;  // of a fraction of the range
     bool mesh = false;                       // draw the triangles' edges
@@ -30,13 +31,14 @@ struct PanelStyle {
 
 /// Fluid, solids with an outline, walls as lines, isolated particles as dots of their volume.
 /// Where the field has no meaning the body has a plain colour.
-void drawPanel(Canvas& canvas, const Box& box, const Window& window, const State<2>& state, const PanelStyle& style);
+void drawPanel(Canvas& canvas, const Box& box, const Window& window, const State<2>& state, const PanelStyle<2>& style);
 
 /// The smallest window with all triangles of the state.
 Window windowOf(const State<2>& state);
 
-/// Least and largest value of the field at the nodes of the triangles where it has a meaning.
+/// Least and largest value of the field at the nodes of the cells where it has a meaning.
 /// Empty (low > high) when there are none.
-ValueRange rangeOf(const State<2>& state, const PictureField& field);
+template <int Dim>
+ValueRange rangeOf(const State<Dim>& state, const PictureField<Dim>& field);
 
 }  // namespace pfem

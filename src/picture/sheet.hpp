@@ -5,22 +5,24 @@
 #include <string>
 #include <vector>
 
-#include "picture/panel.hpp"
+#include "picture/scene.hpp"
 
 namespace pfem {
 
 struct SheetOptions {
-    std::string field = "p";
+    std::string field;  // default: p; in space vonMises, U without solids
     std::string colours = "viridis";
     std::optional<ValueRange> range;  // default: of all states
-    std::optional<Window> window;     // default: of all states, with a margin
+    std::optional<Window> window;     // in the plane; default: of all states, with a margin
     int columns = 3;
     int width = 1600;  // [pixels]
     bool mesh = false;
     PictureFormat format = PictureFormat::png;
+    SpaceOptions space;
 };
 
 /// The panels in reading order. Throws UserError when there is nothing to draw or the options make no sense.
 Canvas drawSheet(const std::vector<State<2>>& states, const SheetOptions& options);
+Canvas drawSheet(const std::vector<State<3>>& states, const SheetOptions& options);
 
 }  // namespace pfem

@@ -58,7 +58,7 @@ TEST(Sheet, coloursAtKnownPlaces) {
 TEST(Sheet, solidsHaveTheirOwnFields) {
     State<2> state = sample();
     for (auto& sigma : state.nodes.sigma) sigma = Stress<2>(3, 0, 0, 0);
-    EXPECT_DOUBLE_EQ(vonMises(state.nodes.sigma[4]), 3);
+    EXPECT_DOUBLE_EQ(vonMises<2>(state.nodes.sigma[4]), 3);
     SheetOptions options = square();
     options.field = "vonMises";
     const Image image = drawSheet({state}, options).image();
@@ -86,7 +86,7 @@ TEST(Sheet, defaultsShowEverything) {
 
 TEST(Sheet, refusals) {
     SheetOptions options = square();
-    EXPECT_THROW(drawSheet({}, options), UserError);
+    EXPECT_THROW(drawSheet(std::vector<State<2>>{}, options), UserError);
     EXPECT_THROW(drawSheet({State<2>{}}, SheetOptions{}), UserError);
     options.field = "pressure";
     EXPECT_THROW(drawSheet({sample()}, options), UserError);
