@@ -99,7 +99,7 @@ void advance(TimeControl& clock, Simulation<Dim>& simulation, Recorder<Dim>& rec
         const double done = (state.time.value - timeStart) / (clock.controls().endTime - timeStart);
         std::cout << timeLines(cpuNow(), clockNow() - clockStart, done) << std::flush;
     }
-    std::cout << summary.text(clockNow() - clockStart);
+    std::cout << summary.text(clockNow() - clockStart, Dim);
 }
 
 /// From the start folder to the end.

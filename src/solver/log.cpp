@@ -15,6 +15,9 @@ double peakMemory() {
     return getrusage(RUSAGE_SELF, &usage) == 0 ? static_cast<double>(usage.ru_maxrss) / 1024 : 0;
 }
 
+const char* cellOf(int dim) { return dim == 2 ? "triangle" : "tetrahedron"; }
+const char* cellsOf(int dim) { return dim == 2 ? "triangles" : "tetrahedra"; }
+
 }  // namespace
 
 std::string courantLines(const CourantRate& rate, double dt) {
@@ -34,8 +37,8 @@ std::string stepLines(const AdvanceReport& report, const State<Dim>& state, doub
     };
     text += solve("U", s.initialU, s.finalU, s.iterations) + solve("p", s.initialP, s.finalP, s.iterations);
     text +=
-        fmt::format("Mesh: {} nodes, {} fluid triangles, removed {}, inserted {}, returned {}\n", state.nodes.size(),
-                    state.mesh.fluid.size(), report.mesh.removed, report.mesh.inserted, report.returned);
+        fmt::format("Mesh: {} nodes, {} fluid {}, removed {}, inserted {}, returned {}\n", state.nodes.size(),
+                    state.mesh.fluid.size(), cellsOf(Dim), report.mesh.removed, report.mesh.inserted, report.returned);
     const double change = state.ledger.sum(CauseKind::gainOrLoss), correction = state.ledger[VolumeCause::correction],
                  gone = state.ledger[VolumeCause::gone], volume = totalVolume<Dim>(state);
     if (firstVolume > 0)  // a case may have solids only
@@ -52,15 +55,15 @@ std::string timeLines(double cpu, double clock, double fraction) {
         clock, 100 * fraction, left);
 }
 
-void RunSummary::add(const AdvanceReport& report, int triangles) {
-    triangles_ += triangles;
+void RunSummary::add(const AdvanceReport& report, int cells) {
+    cells_ += cells;
     iterations_.push_back(report.step.iterations);
     rejected_ += report.rejected;
     step_ += report.seconds[0];
     remeshing_ += report.seconds[1];
 }
 
-std::string RunSummary::text(double clock) const {
+std::string RunSummary::text(double clock, int dim) const {
     if (iterations_.empty()) return "";
     auto sorted = iterations_;
     std::sort(sorted.begin(), sorted.end());
@@ -69,11 +72,10 @@ std::string RunSummary::text(double clock) const {
     return fmt::format(
         "Summary: {} steps, {} rejected ({:.2f} %), iterations median {}, largest {}\n"
         "         {:.1f} ms per step: equations {:.0f} %, remeshing {:.0f} %, output and the rest {:.0f} %\n"
-        "         {:.0f} triangles on average, {:.2f} microseconds per triangle and step, at most {:.0f} MB of "
-        "memory\n\n",
+        "         {:.0f} {} on average, {:.2f} microseconds per {} and step, at most {:.0f} MB of memory\n\n",
         sorted.size(), rejected_, 100 * rejected_ / steps, sorted[sorted.size() / 2], sorted.back(),
-        1000 * clock / steps, share(step_), share(remeshing_), share(clock - step_ - remeshing_), triangles_ / steps,
-        1e6 * clock / std::max(triangles_, 1.0), peakMemory());
+        1000 * clock / steps, share(step_), share(remeshing_), share(clock - step_ - remeshing_), cells_ / steps,
+        cellsOf(dim), 1e6 * clock / std::max(cells_, 1.0), cellOf(dim), peakMemory());
 }
 
 #define PFEM_INSTANTIATE(D) template std::string stepLines<D>(const AdvanceReport&, const State<D>&, double);

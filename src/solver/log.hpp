@@ -19,15 +19,15 @@ std::string stepLines(const AdvanceReport& report, const State<Dim>& state, doub
 /// What the whole run did: steps, rejected tries, iterations, wall time by phase.
 class RunSummary {
 public:
-    /// `triangles`: of the fluid and the solids after the step.
-    void add(const AdvanceReport& report, int triangles);
-    /// `clock`: wall time of the run [s]; what is neither step nor remeshing is output.
-    std::string text(double clock) const;
+    /// `cells`: of the fluid and the solids after the step.
+    void add(const AdvanceReport& report, int cells);
+    /// `clock`: wall time of the run [s]; what is neither step nor remeshing is output. `dim` tells what cells are.
+    std::string text(double clock, int dim) const;
 
 private:
     std::vector<int> iterations_;
     int rejected_ = 0;
-    double triangles_ = 0;             // sum over all steps
+    double cells_ = 0;                 // sum over all steps
     double step_ = 0, remeshing_ = 0;  // [s]
 };
 
