@@ -14,6 +14,7 @@
 #include "bounds/runTwin.hpp"
 #include "case/interrupt.hpp"
 #include "functions/functionEntries.hpp"
+#include "mesher/space/readSpaceDict.hpp"
 
 using namespace pfem;
 
@@ -112,8 +113,15 @@ std::vector<Quantity> compared(const std::vector<TwinCase>& twins, const std::st
     return quantities;
 }
 
+void demandPlaneCase(const Case& theCase) {
+    const Dictionary mesh = Dictionary::read(theCase.system("meshDict"));
+    if (meshDimension(mesh, theCase.root()) == 3)
+        throw UserError("pfemBounds compares cases in the plane only; this one is in space", mesh.where());
+}
+
 int bounds(const Options& options) {
     const Case theCase = options.openCase();
+    demandPlaneCase(theCase);
     std::cout << startBanner(options, theCase);
     std::optional<double> endTime;
     if (options.found("endTime")) endTime = optionValue<double>(options, "endTime", "a time");

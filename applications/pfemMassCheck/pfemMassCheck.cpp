@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "application/dimension.hpp"
 #include "application/runApplication.hpp"
 #include "application/timeRanges.hpp"
 #include "base/error.hpp"
@@ -59,6 +60,16 @@ double readTolerance(const Options& options) {
     return *tolerance;
 }
 
+/// The balance of each time against the first of the case.
+template <int Dim>
+std::vector<MassBalance> balances(const Case& theCase, const std::vector<TimeFolder>& times) {
+    const auto first = listTimes(theCase.root()).complete.front();
+    const MassAccount<Dim> account(readState<Dim>(theCase.time(first.name)), readDensities(theCase.root()));
+    std::vector<MassBalance> rows;
+    for (const auto& time : times) rows.push_back(account.balance(readState<Dim>(theCase.time(time.name))));
+    return rows;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -68,12 +79,9 @@ int main(int argc, char** argv) {
         argc, argv, "Fluid mass of the written times and what changed it.", spec, [](const Options& options) {
             const Case theCase = options.openCase();
             const double tolerance = readTolerance(options);
-            const auto first = listTimes(theCase.root()).complete;
             const auto times = selectTimes(theCase, options);
-            const MassAccount<2> account(readState<2>(theCase.time(first.front().name)), readDensities(theCase.root()));
-
-            std::vector<MassBalance> rows;
-            for (const auto& time : times) rows.push_back(account.balance(readState<2>(theCase.time(time.name))));
+            const auto rows = withDimension(theCase.time(times.front().name),
+                                            [&](auto dim) { return balances<decltype(dim)::value>(theCase, times); });
             printTable(rows);
 
             printCompression(rows);

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <optional>
 
+#include "application/dimension.hpp"
 #include "application/optionValues.hpp"
 #include "application/runApplication.hpp"
 #include "application/timeRanges.hpp"
@@ -49,6 +50,19 @@ Dictionary functionsOf(const Case& theCase, const Options& options, const std::v
     return dict;
 }
 
+/// All wanted functions over the times.
+template <int Dim>
+void run(const Case& theCase, const Options& options, const std::vector<TimeFolder>& times) {
+    const auto wanted = wantedNames(options);
+    const Dictionary dict = functionsOf(theCase, options, wanted);
+    FunctionObjects<Dim> functions(theCase, dict, times.front().name, 6, [&](const Dictionary& entry) {
+        return wanted.empty() || std::find(wanted.begin(), wanted.end(), entry.keyword()) != wanted.end();
+    });
+    if (functions.size() == 0) throw UserError("there is no enabled function in \"" + dict.name() + "\"");
+    for (const auto& entry : functionEntries(dict)) warnUnused(entry, std::cerr);
+    postProcess(theCase, functions, times, options.found("overwrite"), std::cout);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -59,14 +73,8 @@ int main(int argc, char** argv) {
             std::optional<RunLock> lock;  // tables of a running job must not be replaced under its hands
             if (options.found("overwrite")) lock.emplace(theCase.root(), options.program());
             const auto times = selectTimes(theCase, options);
-            const auto wanted = wantedNames(options);
-            const Dictionary dict = functionsOf(theCase, options, wanted);
-            FunctionObjects<2> functions(theCase, dict, times.front().name, 6, [&](const Dictionary& entry) {
-                return wanted.empty() || std::find(wanted.begin(), wanted.end(), entry.keyword()) != wanted.end();
-            });
-            if (functions.size() == 0) throw UserError("there is no enabled function in \"" + dict.name() + "\"");
-            for (const auto& entry : functionEntries(dict)) warnUnused(entry, std::cerr);
-            postProcess(theCase, functions, times, options.found("overwrite"), std::cout);
+            withDimension(theCase.time(times.front().name),
+                          [&](auto dim) { run<decltype(dim)::value>(theCase, options, times); });
             std::cout << "\nEnd\n\n";
             return 0;
         });

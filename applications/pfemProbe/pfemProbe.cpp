@@ -4,6 +4,7 @@
 
 #include <iostream>
 
+#include "application/dimension.hpp"
 #include "application/runApplication.hpp"
 #include "application/timeRanges.hpp"
 #include "base/error.hpp"
@@ -34,22 +35,26 @@ Dictionary functionsOf(const Case& theCase, const Options& options) {
         "command line");
 }
 
+template <int Dim>
+void run(const Case& theCase, const Options& options, const std::vector<TimeFolder>& times) {
+    const Dictionary dict = functionsOf(theCase, options);
+    FunctionObjects<Dim> probes(theCase, dict, times.front().name, 6,
+                                [](const Dictionary& entry) { return entry.get<std::string>("type") == "probes"; });
+    if (probes.size() == 0) throw UserError("no function of type probes in \"" + dict.name() + "\"");
+    postProcess(theCase, probes, times, options.found("overwrite"), std::cout);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-    return runApplication(
-        argc, argv, "Values at points over the written times, in postProcessing/<name>/<first time>/<field>.",
-        probeOptions(), [](const Options& options) {
-            const Case theCase = options.openCase();
-            const auto times = selectTimes(theCase, options);
-            const Dictionary dict = functionsOf(theCase, options);
-            FunctionObjects<2> probes(theCase, dict, times.front().name, 6, [](const Dictionary& entry) {
-                return entry.get<std::string>("type") == "probes";
-            });
-            if (probes.size() == 0) throw UserError("no function of type probes in \"" + dict.name() + "\"");
-
-            postProcess(theCase, probes, times, options.found("overwrite"), std::cout);
-            std::cout << "\nEnd\n\n";
-            return 0;
-        });
+    return runApplication(argc, argv,
+                          "Values at points over the written times, in postProcessing/<name>/<first time>/<field>.",
+                          probeOptions(), [](const Options& options) {
+                              const Case theCase = options.openCase();
+                              const auto times = selectTimes(theCase, options);
+                              withDimension(theCase.time(times.front().name),
+                                            [&](auto dim) { run<decltype(dim)::value>(theCase, options, times); });
+                              std::cout << "\nEnd\n\n";
+                              return 0;
+                          });
 }
