@@ -102,6 +102,7 @@ PFEM_ENTRY_TYPE(std::vector<std::int64_t>)
 PFEM_ENTRY_TYPE(std::vector<double>)
 PFEM_ENTRY_TYPE(std::vector<std::string>)
 PFEM_ENTRY_TYPE(std::vector<Eigen::Vector3d>)
+PFEM_ENTRY_TYPE(std::vector<std::vector<Eigen::Vector3d>>)
 
 #undef PFEM_ENTRY_TYPE
 

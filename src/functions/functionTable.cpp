@@ -11,6 +11,8 @@
 #include "functions/massLedger.hpp"
 #include "functions/pressureSensor.hpp"
 #include "functions/probes.hpp"
+#include "functions/surfaces.hpp"
+#include "functions/volumeFlow.hpp"
 #include "functions/waveGauge.hpp"
 #include "io/stateFiles.hpp"
 
@@ -35,6 +37,8 @@ std::map<std::string, FunctionFactory<Dim>>& table() {
             {"line", make<Dim, Line<Dim>>},
             {"massLedger", make<Dim, MassLedger<Dim>>},
             {"probes", make<Dim, Probes<Dim>>},
+            {"surfaces", make<Dim, Surfaces<Dim>>},
+            {"volumeFlow", make<Dim, VolumeFlow<Dim>>},
         };
         if constexpr (Dim == 2) {
             all.emplace("pressureSensor", make<Dim, PressureSensor<Dim>>);

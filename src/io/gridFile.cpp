@@ -10,8 +10,10 @@
 #include <vtkPolyData.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkXMLPolyDataReader.h>
+#include <vtkXMLPolyDataWriter.h>
 #include <vtkXMLUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridWriter.h>
+#include <vtkXMLWriter.h>
 #include <vtkZLibDataCompressor.h>
 
 #include <cstring>
@@ -98,6 +100,25 @@ std::string reasonOf(unsigned long code) {
     return "write error " + std::to_string(code);
 }
 
+/// With a writer of VTK's XML files.
+void writeData(const std::filesystem::path& file, vtkXMLWriter* writer, vtkDataObject* data) {
+    VtkErrors errors;
+    writer->AddObserver(vtkCommand::ErrorEvent, errors.observer());
+    writer->SetFileName(file.c_str());
+    writer->SetInputData(data);
+    writer->SetDataModeToAppended();
+    writer->EncodeAppendedDataOff();
+    writer->SetCompressorTypeToZLib();
+    writer->SetCompressionLevel(1);
+    writer->SetByteOrderToLittleEndian();
+    writer->SetHeaderTypeToUInt64();
+    const int written = writer->Write();
+    if (const unsigned long code = writer->GetErrorCode(); code != vtkErrorCode::NoError)
+        fail("cannot write", file, reasonOf(code));
+    if (written != 1 || !errors.message().empty())
+        fail("cannot write", file, errors.message().empty() ? "write error" : errors.message());
+}
+
 /// "array 'p' is ": the first one that cannot be decompressed or has a wrong number of strings; "" when all are sound,
 /// and for files of others.
 std::string whereBroken(const std::filesystem::path& file, bool onlyStrings) {
@@ -117,22 +138,11 @@ std::string whereBroken(const std::filesystem::path& file, bool onlyStrings) {
 }  // namespace
 
 void writeGrid(const std::filesystem::path& file, vtkUnstructuredGrid* grid) {
-    VtkErrors errors;
-    auto writer = vtkSmartPointer<vtkXMLUnstructuredGridWriter>::New();
-    writer->AddObserver(vtkCommand::ErrorEvent, errors.observer());
-    writer->SetFileName(file.c_str());
-    writer->SetInputData(grid);
-    writer->SetDataModeToAppended();
-    writer->EncodeAppendedDataOff();
-    writer->SetCompressorTypeToZLib();
-    writer->SetCompressionLevel(1);
-    writer->SetByteOrderToLittleEndian();
-    writer->SetHeaderTypeToUInt64();
-    const int written = writer->Write();
-    if (const unsigned long code = writer->GetErrorCode(); code != vtkErrorCode::NoError)
-        fail("cannot write", file, reasonOf(code));
-    if (written != 1 || !errors.message().empty())
-        fail("cannot write", file, errors.message().empty() ? "write error" : errors.message());
+    writeData(file, vtkNew<vtkXMLUnstructuredGridWriter>(), grid);
+}
+
+void writePolyData(const std::filesystem::path& file, vtkPolyData* surface) {
+    writeData(file, vtkNew<vtkXMLPolyDataWriter>(), surface);
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> readGrid(const std::filesystem::path& file) {

@@ -18,6 +18,7 @@ void writeGrid(const std::filesystem::path& file, vtkUnstructuredGrid* grid);
 vtkSmartPointer<vtkUnstructuredGrid> readGrid(const std::filesystem::path& file);
 
 /// The same for surfaces (.vtp).
+void writePolyData(const std::filesystem::path& file, vtkPolyData* surface);
 vtkSmartPointer<vtkPolyData> readPolyData(const std::filesystem::path& file);
 
 }  // namespace pfem

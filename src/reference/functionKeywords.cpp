@@ -6,6 +6,8 @@
 #include "functions/massLedger.hpp"
 #include "functions/pressureSensor.hpp"
 #include "functions/rowControl.hpp"
+#include "functions/surfaces.hpp"
+#include "functions/volumeFlow.hpp"
 #include "functions/waveGauge.hpp"
 #include "reference/keywords.hpp"
 
@@ -66,6 +68,10 @@ std::vector<KeywordTable> functionKeywords() {
            "no: the points ride on the material that holds them at the first time", ""},
           {"interpolationScheme", "word", "-", "optional", "accepted; values are linear in the triangle", ""},
           {"includeOutOfBounds", "bool", "-", "optional", "accepted; a point without material gives -1e+300", ""}}},
+        {file, "surfaces", "Cuts, the free surface and the solids' skin with fields, as .vtp files for ParaView.",
+         describeEntries<SurfacesEntries>()},
+        {file, "volumeFlow", "Volume of fluid that passes a plane: its rate, and the sum since the beginning.",
+         describeEntries<VolumeFlowEntries>()},
         {file, "waveGauge", "Elevation of the free surface.", describeEntries<WaveGaugeEntries>()},
     };
 }

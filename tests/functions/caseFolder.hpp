@@ -23,7 +23,8 @@ public:
     }
     const std::filesystem::path& path() const { return folder_.path(); }
 
-    FunctionObjects<2> functions(const std::string& text, const std::string& startName = "0") const {
+    template <int Dim = 2>
+    FunctionObjects<Dim> functions(const std::string& text, const std::string& startName = "0") const {
         return {Case(folder_.path()), Dictionary::parse("functions { " + text + " }", "controlDict"), startName, 12};
     }
     std::string text(const std::string& file) const { return readText(folder_.path() / "postProcessing" / file); }

@@ -188,10 +188,10 @@ TEST_F(FunctionEntriesTest, ForeignTypesAreLeftOutWithAWarning) {
     EXPECT_TRUE(dict_.unused().empty());
     // OpenFOAM's own words are foreign, near ones are misspelt
     for (const char* word :
-         {"CourantNo",     "coded",       "forceCoeffs",       "fieldAverage",    "fieldValueDelta",
-          "flowRatePatch", "patchProbes", "pressure",          "residuals",       "sets",
-          "solverInfo",    "streamLine",  "surfaceFieldValue", "surfaces",        "timeActivatedFileUpdate",
-          "volFieldValue", "vorticity",   "vtkWrite",          "wallShearStress", "writeObjects"})
+         {"CourantNo",     "coded",       "forceCoeffs",       "fieldAverage",     "fieldValueDelta",
+          "flowRatePatch", "patchProbes", "pressure",          "residuals",        "sets",
+          "solverInfo",    "streamLine",  "surfaceFieldValue", "turbulenceFields", "timeActivatedFileUpdate",
+          "volFieldValue", "vorticity",   "vtkWrite",          "wallShearStress",  "writeObjects"})
         EXPECT_TRUE(isForeignFunction(Dictionary::parse(std::string("type ") + word + ";"))) << word;
     for (const char* word : {"prob", "Probes", "force", "massLeger", "enrgy", "waveGuage", "fieldMinmax", "lines"}) {
         EXPECT_FALSE(isForeignFunction(Dictionary::parse(std::string("type ") + word + ";"))) << word;

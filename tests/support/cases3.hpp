@@ -91,18 +91,18 @@ inline Patch<3> openBox(State<3>& state, const std::string& name, const Vec<3>& 
     return patch;
 }
 
-/// Water from the origin to `water` in an open box of size `tank` (z up).
-inline TestCase3 boxOfWater(const Vec<3>& water, const Vec<3>& tank, double h, const std::string& type = "slip",
+/// Water from the origin to `column` in an open box of size `tank` (z up).
+inline TestCase3 boxOfWater(const Vec<3>& column, const Vec<3>& tank, double h, const std::string& type = "slip",
                             double mu = 1e-3, double jitter = 0) {
     TestCase3 c;
     State<3>& state = c.state;
     state.mesh.materials = {"water"};
-    addLattice(state, state.mesh.fluid, 0, Vec<3>::Zero(), water, h);
+    addLattice(state, state.mesh.fluid, 0, Vec<3>::Zero(), column, h);
     std::mt19937 random(5);
     std::uniform_real_distribution<double> shift(-jitter * h, jitter * h);
     for (auto& x : state.nodes.x)
         for (int d = 0; d < 3; ++d)
-            if (x[d] > 1e-9 && x[d] < water[d] - 1e-9) x[d] += shift(random);
+            if (x[d] > 1e-9 && x[d] < column[d] - 1e-9) x[d] += shift(random);
     state.nodes.X = state.nodes.x;
     state.mesh.patches.push_back(openBox(state, "tank", tank));
     c.problem.materials = readMaterials(Dictionary::parse(
