@@ -27,25 +27,20 @@ std::unique_ptr<FunctionObject<Dim>> make(const Dictionary& dict, const Function
 
 template <int Dim>
 std::map<std::string, FunctionFactory<Dim>>& table() {
-    static std::map<std::string, FunctionFactory<Dim>> entries = [] {
-        std::map<std::string, FunctionFactory<Dim>> all{
-            {"boundingBox", make<Dim, BoundingBox<Dim>>},
-            {"energy", make<Dim, Energy<Dim>>},
-            {"fieldMinMax", make<Dim, FieldMinMax<Dim>>},
-            {"forces", make<Dim, Forces<Dim>>},
-            {"front", make<Dim, Front<Dim>>},
-            {"line", make<Dim, Line<Dim>>},
-            {"massLedger", make<Dim, MassLedger<Dim>>},
-            {"probes", make<Dim, Probes<Dim>>},
-            {"surfaces", make<Dim, Surfaces<Dim>>},
-            {"volumeFlow", make<Dim, VolumeFlow<Dim>>},
-        };
-        if constexpr (Dim == 2) {
-            all.emplace("pressureSensor", make<Dim, PressureSensor<Dim>>);
-            all.emplace("waveGauge", make<Dim, WaveGauge<Dim>>);
-        }
-        return all;
-    }();
+    static std::map<std::string, FunctionFactory<Dim>> entries{
+        {"boundingBox", make<Dim, BoundingBox<Dim>>},
+        {"energy", make<Dim, Energy<Dim>>},
+        {"fieldMinMax", make<Dim, FieldMinMax<Dim>>},
+        {"forces", make<Dim, Forces<Dim>>},
+        {"front", make<Dim, Front<Dim>>},
+        {"line", make<Dim, Line<Dim>>},
+        {"massLedger", make<Dim, MassLedger<Dim>>},
+        {"pressureSensor", make<Dim, PressureSensor<Dim>>},
+        {"probes", make<Dim, Probes<Dim>>},
+        {"surfaces", make<Dim, Surfaces<Dim>>},
+        {"volumeFlow", make<Dim, VolumeFlow<Dim>>},
+        {"waveGauge", make<Dim, WaveGauge<Dim>>},
+    };
     return entries;
 }
 

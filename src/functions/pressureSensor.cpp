@@ -4,69 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/error.hpp"
 #include "functions/sensors.hpp"
-#include "functions/wetFaces.hpp"
-#include "mesh/distance.hpp"
 #include "solver/setup.hpp"
 
 namespace pfem {
 
 namespace {
-
-/// Antiderivatives of the weight w(s) and of s w(s); w integrates to 1 over the sensor, |s| <= R.
-struct Weight {
-    double R;
-    bool disc;
-
-    double zeroth(double s) const {
-        if (!disc) return s / (2 * R);
-        return (s * std::sqrt(std::max(0.0, R * R - s * s)) + R * R * std::asin(std::clamp(s / R, -1.0, 1.0))) /
-               (M_PI * R * R);
-    }
-    double first(double s) const {
-        if (!disc) return s * s / (4 * R);
-        return -2 / (3 * M_PI * R * R) * std::pow(std::max(0.0, R * R - s * s), 1.5);
-    }
-};
-
-}  // namespace
-
-template <int Dim>
-std::pair<SensorAnchor<Dim>, double> fixSensor(const State<Dim>& initial, const std::vector<PatchKind>& kinds,
-                                               const Vec<Dim>& point) {
-    std::pair<SensorAnchor<Dim>, double> best{{}, std::numeric_limits<double>::infinity()};
-    const auto consider = [&](const Face<Dim>& face, const Points<Dim>& x, bool onSolid) {
-        const double w = nearestWeight<Dim>(x[face[0]], x[face[1]], point);
-        const double distance = ((1 - w) * x[face[0]] + w * x[face[1]] - point).norm();
-        if (distance >= best.second) return;
-        best = {{{initial.nodes.id[face[0]], initial.nodes.id[face[1]]}, {1 - w, w}, onSolid}, distance};
-    };
-    for (std::size_t k = 0; k < initial.mesh.patches.size(); ++k)
-        if (isWall(kinds[k]))
-            for (const auto& face : initial.mesh.patches[k].faces) consider(face, initial.nodes.x, false);
-    const auto& solid = initial.mesh.solid.nodes;
-    for (const auto& face : boundaryFaces<Dim>(solid, nodeToCells<Dim>(solid, initial.nodes.size())))
-        consider(face.nodes, initial.nodes.X, true);
-    return best;
-}
-
-namespace {
-
-/// The face that a sensor is fixed to, and its centre.
-template <int Dim>
-std::pair<Face<Dim>, Vec<Dim>> placeOf(const SensorAnchor<Dim>& anchor, const Nodes<Dim>& nodes) {
-    Face<Dim> face{};
-    Vec<Dim> centre = Vec<Dim>::Zero();
-    for (std::size_t k = 0; k < Dim; ++k) {
-        face[k] =
-            static_cast<int>(std::lower_bound(nodes.id.begin(), nodes.id.end(), anchor.ids[k]) - nodes.id.begin());
-        centre += anchor.weights[static_cast<Eigen::Index>(k)] * nodes.x[face[k]];
-    }
-    return {face, centre};
-}
 
 /// The topology with those fluid cells alone that can have a face within `radius` of one of the places.
 template <int Dim>
@@ -90,39 +35,12 @@ Topology<Dim> topologyAround(const State<Dim>& state, const std::vector<PatchKin
 }  // namespace
 
 template <int Dim>
-SensorReading readSensor(const State<Dim>& state, const Topology<Dim>& topology, const SensorAnchor<Dim>& anchor,
-                         double width, bool disc) {
-    const auto& nodes = state.nodes;
-    const auto [face, centre] = placeOf<Dim>(anchor, nodes);
-    // out of the fluid: walls have it on their left, solids have themselves on the left
-    const Vec<Dim> normal = (anchor.onSolid ? -1 : 1) * faceArea<Dim>(nodes.x, face).normalized();
-    const Vec<Dim> along(-normal[1], normal[0]);
-    const Weight weight{0.5 * width, disc};
-    SensorReading reading;
-    for (const auto& wet : wetFaces<Dim>(state, topology)) {
-        if ((wet.solid >= 0) != anchor.onSolid) continue;
-        const Vec<Dim> a = nodes.x[wet.nodes[0]] - centre, b = nodes.x[wet.nodes[1]] - centre;
-        const double sa = a.dot(along), sb = b.dot(along);
-        const double low = std::max(std::min(sa, sb), -weight.R), high = std::min(std::max(sa, sb), weight.R);
-        if (!(low < high) || faceArea<Dim>(nodes.x, wet.nodes).normalized().dot(normal) < 0.7) continue;
-        const auto at = [&](double s, double fa, double fb) { return fa + (fb - fa) * (s - sa) / (sb - sa); };
-        const double height = at(0.5 * (low + high), a.dot(normal), b.dot(normal));
-        if (std::abs(height) > weight.R) continue;  // of another wall
-        const double slope = (nodes.p[wet.nodes[1]] - nodes.p[wet.nodes[0]]) / (sb - sa);
-        const double p0 = nodes.p[wet.nodes[0]] - slope * sa;
-        const double part = weight.zeroth(high) - weight.zeroth(low);
-        reading.wet += part;
-        reading.p += p0 * part + slope * (weight.first(high) - weight.first(low));
-    }
-    return reading;
-}
-
-template <int Dim>
 PressureSensor<Dim>::PressureSensor(const Dictionary& dict, const FunctionContext<Dim>& context)
     : dict_(dict), context_(context) {
     readEntries(dict, entries_);
     if (entries_.points.empty()) dict.fatal("points", "no sensor: points ((0.5 0 0) ...);");
     warnOutOfPlane<Dim>(dict, "points", entries_.points);
+    if (Dim == 3 && entries_.shape != "disc") dict.fatal("shape", "in space a sensor is a disc");
 }
 
 template <int Dim>
@@ -199,8 +117,8 @@ void PressureSensor<Dim>::recall(const std::vector<double>& memory) {
     }
 }
 
-template std::pair<SensorAnchor<2>, double> fixSensor<2>(const State<2>&, const std::vector<PatchKind>&, const Vec<2>&);
-template SensorReading readSensor<2>(const State<2>&, const Topology<2>&, const SensorAnchor<2>&, double, bool);
-template class PressureSensor<2>;
+#define PFEM_INSTANTIATE(D) template class PressureSensor<D>;
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

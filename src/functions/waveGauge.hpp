@@ -16,12 +16,11 @@ struct WaveGaugeEntries {
     template <class Visitor>
     void entries(Visitor& v) {
         v.required("points", points, "m", "feet of the gauges; elevations are counted from here");
-        v("direction", direction, "-", "of the gauges, upwards");
+        v("direction", direction, "-", "of the gauges, upwards; in 3D against gravity where it is not given");
     }
 };
 
-/// What a gauge sees of the fluid's triangles on its line; nothing when it is dry. Isolated drops are not
-/// seen.
+/// What a gauge sees of the fluid's cells on its line; nothing when it is dry. Isolated drops are not seen.
 struct GaugeReading {
     double elevation = 0;  // upper end of the lowest stretch of fluid without a gap [m]
     double highest = 0;    // of all fluid [m]
