@@ -2,14 +2,20 @@
 
     pfemPictures.show(times=[0.2], box=((0, 0), (0.6, 0.4)), fluid=("magU", (0, 2)), solid=("vonMises", None))
 
+In space the box has corners with z, and `view` is the direction to the eye, z upwards:
+
+    pfemPictures.show(times=[0.2], box=((0, 0, 0), (1.2, 0.3, 0.6)), view=(0.5, -1, 0.45))
+
 In ParaView's window (Tools > Start Trace is not needed: File > Run Script) the view is made and stays; pvbatch writes
 paraview_<time>.png for each time. `fluid` and `solid`: a nodal field of "pfem: Join Parts" with its range, None: of the data.
 """
 
+import itertools
 import os
 import pathlib
 
 import loadPlugin
+import numpy as np
 from paraview import simple
 from paraview.modules.vtkRemotingCore import vtkProcessModule
 
@@ -38,8 +44,29 @@ def _part(joined, number, view, colouring, title):
     return display
 
 
-def show(times, box, fluid=("magU", None), solid=("vonMises", None), case=".", paths="", width=1200):
+def _lookAt(view, box, direction, width):
+    """Parallel rays; the box fills the picture. Without a direction: the plane x, y."""
+    corners = np.array([list(corner) + [0] * (3 - len(corner)) for corner in itertools.product(*zip(*box))], dtype=float)
+    back = np.array([0, 0, 1] if direction is None else direction, dtype=float)
+    back /= np.linalg.norm(back)
+    up = np.array([0, 1, 0] if abs(back[2]) > 0.999 else [0, 0, 1])
+    right = np.cross(up, back)
+    axes = np.array([right / np.linalg.norm(right), np.cross(back, right) / np.linalg.norm(right)])
+    seen = corners @ axes.T
+    size, centre = np.ptp(seen, axis=0), (corners.min(axis=0) + corners.max(axis=0)) / 2
+    view.ViewSize = [width, int(width * size[1] / size[0])]
+    view.InteractionMode = "2D" if direction is None else "3D"
+    view.CameraParallelProjection = 1
+    view.CameraFocalPoint = list(centre)
+    view.CameraPosition = list(centre + (10 if direction is None else 10 * np.linalg.norm(size)) * back)
+    view.CameraViewUp = list(axes[1])
+    view.CameraParallelScale = size[1] / 2
+    view.OrientationAxesVisibility = 0 if direction is None else 1
+
+
+def show(times, box, fluid=("magU", None), solid=("vonMises", None), case=".", paths="", width=1200, view=None):
     """Set the view up; returns the pictures' names (pvbatch)."""
+    direction = view
     simple._DisableFirstRenderCameraReset()
     loadPlugin.load(globals())
     file = str(pathlib.Path(case).resolve() / "case.pvd")
@@ -50,14 +77,7 @@ def show(times, box, fluid=("magU", None), solid=("vonMises", None), case=".", p
     view = simple.GetActiveViewOrCreate("RenderView")
     view.UseColorPaletteForBackground = 0
     view.Background = [1, 1, 1]
-    (left, bottom), (right, top) = box
-    view.ViewSize = [width, int(width * (top - bottom) / (right - left))]
-    view.InteractionMode = "2D"
-    view.CameraParallelProjection = 1
-    view.CameraPosition = [(left + right) / 2, (bottom + top) / 2, 10]
-    view.CameraFocalPoint = [(left + right) / 2, (bottom + top) / 2, 0]
-    view.CameraParallelScale = (top - bottom) / 2
-    view.OrientationAxesVisibility = 0
+    _lookAt(view, box, direction, width)
     view.ViewTime = times[0]
     simple.UpdatePipeline(times[0], joined)
     for number, (colouring, title) in enumerate(((fluid, "fluid"), (solid, "solid"))):

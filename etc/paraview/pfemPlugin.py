@@ -44,7 +44,7 @@ def parts(data):
 @smdomain.datatype(dataTypes=["vtkMultiBlockDataSet", "vtkPartitionedDataSetCollection"], composite_data_supported=True)
 class PfemJoinParts(VTKPythonAlgorithmBase):
     """Fluid and solid of case.pvd as one grid, nodes of the interface once. Adds the nodal fields magU, magD, vonMises,
-    vorticity and the cell field part (0: fluid, 1: solid)."""
+    vorticity (in space a vector) and the cell field part (0: fluid, 1: solid)."""
 
     def __init__(self):
         super().__init__(nInputPorts=1, nOutputPorts=1, outputType="vtkUnstructuredGrid")

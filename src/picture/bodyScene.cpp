@@ -56,7 +56,7 @@ void BodyPainter::edges(const std::vector<Face<3>>& faces, const EdgeLook& look)
     }
 }
 
-void BodyPainter::allEdges(const std::vector<Face<3>>& faces, Colour colour, double thickness) {
+void BodyPainter::everyEdge(const std::vector<Face<3>>& faces, Colour colour, double thickness) {
     for (const SkinEdge& edge : skinEdges(faces)) add({x_[edge.a], x_[edge.b]}, colour, thickness);
 }
 

@@ -27,7 +27,7 @@ public:
     /// The section of the plane with the cells; `mesh`: with lines of this thickness round each part.
     void section(const Cells<3>& cells, const std::vector<double>& values, double mesh);
     void edges(const std::vector<Face<3>>& faces, const EdgeLook& look);
-    void allEdges(const std::vector<Face<3>>& faces, Colour colour, double thickness);
+    void everyEdge(const std::vector<Face<3>>& faces, Colour colour, double thickness);
     /// Where the plane cuts the surface.
     void traces(const std::vector<Face<3>>& faces, Colour colour, double thickness);
 

@@ -29,8 +29,9 @@ Layout::Layout(int panels, const Vec<2>& window, int columnsWanted, int widthWan
 }
 
 Box Layout::panel(int k) const {
-    const double left = gap + (k % columns) * (panelWidth + gap);
-    const double top = label + (k / columns) * (panelHeight + label);
+    const int row = k / columns, column = k % columns;
+    const double left = gap + column * (panelWidth + gap);
+    const double top = label + row * (panelHeight + label);
     return {left, top, left + panelWidth, top + panelHeight};
 }
 

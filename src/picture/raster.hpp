@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "base/types.hpp"
 
@@ -57,7 +58,7 @@ void forTriangle(const std::array<RasterPoint, 3>& t, const Rows& rows, const F&
         const Vec<2> d = area > 0 ? b - a : a - b;
         return turn / area > 0 || (turn == 0 && (d[1] < 0 || (d[1] == 0 && d[0] > 0)));
     };
-    const auto [a, b, c] = t;
+    const RasterPoint &a = t[0], &b = t[1], &c = t[2];
     const auto draw = [&](int x, int y) {
         const Vec<2> p(x + 0.5, y + 0.5);
         const double u = turnOf(b.at, c.at, p), v = turnOf(c.at, a.at, p), w = turnOf(a.at, b.at, p);

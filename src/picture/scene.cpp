@@ -18,7 +18,7 @@ constexpr Colour meshColour{40, 40, 40};
 constexpr double plainShade = 0.4, colouredShade = 0.28;  // the scale's colours are to be told apart
 constexpr EdgeLook fluidEdges{{28, 62, 100}, 0.7, 180};   // only where it turns away from the eye
 constexpr EdgeLook solidEdges{{110, 45, 5}, 1.2, 40};
-constexpr EdgeLook wallEdges{{90, 90, 90}, 0.8, 30};
+constexpr EdgeLook weveryEdge{{90, 90, 90}, 0.8, 30};
 
 std::vector<Face<3>> boundaryOf(const Cells<3>& cells, int nNodes) {
     std::vector<Face<3>> faces;
@@ -66,8 +66,8 @@ void addWalls(Scene& scene, BodyPainter painter, const std::vector<Face<3>>& wal
     const std::vector<double> none(static_cast<std::size_t>(painter.nPoints()), 0.0);
     scene.walls.plain = plainWall;
     scene.walls.shade = 0.15;
-    painter.edges(walls, wallEdges);
-    painter.traces(walls, wallEdges.colour, wallEdges.thickness);
+    painter.edges(walls, weveryEdge);
+    painter.traces(walls, weveryEdge.colour, weveryEdge.thickness);
     if (look == WallLook::outline) return;
     painter.surface(walls, none);
     if (look != WallLook::translucent) return;
@@ -94,7 +94,7 @@ Scene makeScene(const State<3>& state, const PanelStyle<3>& style, const SpaceOp
         painter.section(cells, values, style.mesh ? 0.4 : 0);
         painter.edges(faces, look);
         painter.traces(faces, look.colour, look.thickness);
-        if (style.mesh) painter.allEdges(faces, meshColour, 0.4);
+        if (style.mesh) painter.everyEdge(faces, meshColour, 0.4);
     };
     const auto ofSolid = boundaryOf(state.mesh.solid, state.nodes.size());
     scene.water.plain = plainFluid;

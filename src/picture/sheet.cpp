@@ -86,14 +86,14 @@ Canvas drawSheet(const std::vector<State<2>>& states, const SheetOptions& option
 
 Canvas drawSheet(const std::vector<State<3>>& states, const SheetOptions& options) {
     if (states.empty()) throw UserError("no states to draw");
-    const auto [camera, window] = framingOf(states, options.space);
-    const Layout layout = layoutOf(states.size(), window, options);
-    const auto draw = [&, &camera = camera, &window = window](Canvas& canvas, const Box& box, const State<3>& state,
-                                                              const PanelStyle<3>& style) {
-        drawPanel(canvas, box, {camera, window}, makeScene(state, style, options.space, camera), style);
+    const Framing framing = framingOf(states, options.space);
+    const Layout layout = layoutOf(states.size(), framing.window, options);
+    const auto draw = [&](Canvas& canvas, const Box& box, const State<3>& state, const PanelStyle<3>& style) {
+        drawPanel(canvas, box, framing, makeScene(state, style, options.space, framing.camera), style);
     };
     Canvas canvas = sheetOf<3>(states, options, layout, draw);
-    drawAxes(canvas, camera, {layout.width - 3 * layout.text, layout.height - 1.6 * layout.text}, 1.7 * layout.text);
+    const Vec<2> corner(layout.width - 3 * layout.text, layout.height - 1.6 * layout.text);
+    drawAxes(canvas, framing.camera, corner, 1.7 * layout.text);
     return canvas;
 }
 

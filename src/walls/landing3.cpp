@@ -146,30 +146,39 @@ private:
         const double h = nodes_.h[i], after = inwardNormal<3>(nodes_.x, face).dot(x - nodes_.x[face[0]]),
                      before = inwardNormal<3>(xOld_, face).dot(old - xOld_[face[0]]);
         if (after > controls_.landingDistance * h || before < -1e-9 * h || after >= before) return {};
-        const double part = drop && after < 0 ? std::max(0.0, before / (before - after)) : 1;
-        const Vec<3> w =
-            part < 1 ? footWeights<3>(xOld_, face, old + part * (x - old)) : footWeights<3>(nodes_.x, face, x);
-        const double size = (nodes_.x[face[1]] - nodes_.x[face[0]]).norm();
-        if (w.minCoeff() < -roundOff * h / size) return {};
-        return {part, wall};
+        const double part = after < 0 ? std::max(0.0, before / (before - after)) : 1;
+        const double slack = roundOff * h / (nodes_.x[face[1]] - nodes_.x[face[0]]).norm();
+        const bool crosses = part < 1 && footWeights<3>(xOld_, face, old + part * (x - old)).minCoeff() > -slack;
+        const bool arrives = footWeights<3>(nodes_.x, face, x).minCoeff() > -slack;
+        if (!crosses && (drop || !arrives)) return {};
+        return {crosses && drop ? part : 1, wall};
+    }
+
+    /// What the node comes to first, of the walls that do not hold it yet.
+    Landing firstLanding(int i, bool drop) const {
+        Landing first;
+        for (int w = 0; w < static_cast<int>(topology_.walls.size()); ++w) {
+            if (topology_.walls[w].patch < 0 || isOn(i, w)) continue;
+            const Landing landing = landingOn(i, w, drop);
+            if (landing.part < first.part) first = landing;
+        }
+        return first;
     }
 
     void landOthers() {
         std::vector<Landing> landings(nodes_.size());
         parallelFor(nodes_.size(), [&](int i) {
             if (!topology_.ofFluid(i) || nSupports(nodes_.wall[i]) == 3) return;
-            const bool drop = topology_.isolated(i);
-            for (int w = 0; w < static_cast<int>(topology_.walls.size()); ++w) {
-                if (topology_.walls[w].patch < 0 || isOn(i, w)) continue;
-                const Landing landing = landingOn(i, w, drop);
-                if (landing.part < landings[i].part) landings[i] = landing;
-            }
+            landings[i] = firstLanding(i, topology_.isolated(i));
         });
         for (int i = 0; i < nodes_.size(); ++i) {
-            const auto [part, wall] = landings[i];
-            if (wall < 0) continue;
-            if (part < 1) nodes_.x[i] = xOld_[i] + part * (nodes_.x[i] - xOld_[i]);
-            addWall(i, wall);
+            const bool drop = topology_.isolated(i);
+            for (int turn = 0; turn < 3 && landings[i].wall >= 0; ++turn) {  // into an edge, or a corner
+                const auto [part, wall] = landings[i];
+                if (part < 1) nodes_.x[i] = xOld_[i] + part * (nodes_.x[i] - xOld_[i]);
+                addWall(i, wall);
+                landings[i] = firstLanding(i, drop);
+            }
         }
     }
 

@@ -1,6 +1,8 @@
 #pragma once
 // Small states in space for pictures.
 
+#include <map>
+
 #include "state/state.hpp"
 
 namespace pfem {

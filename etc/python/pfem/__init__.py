@@ -15,8 +15,9 @@ from .derived import cellAreas, gradient, magnitude, vonMises, vorticity
 from .grid import Grid
 from .join import join
 from .plotting import pyplot, triangles
+from .space import cellVolumes
 from .table import Table, readTable
 from .vtu import readVtu
 
-__all__ = ["Case", "Grid", "Step", "Table", "cellAreas", "gradient", "join", "magnitude", "pyplot", "readTable",
-           "readVtu", "triangles", "vonMises", "vorticity"]
+__all__ = ["Case", "Grid", "Step", "Table", "cellAreas", "cellVolumes", "gradient", "join", "magnitude", "pyplot",
+           "readTable", "readVtu", "triangles", "vonMises", "vorticity"]

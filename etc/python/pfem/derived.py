@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from . import space
+
 
 def magnitude(vectors):
     return np.linalg.norm(vectors, axis=-1)
@@ -22,7 +24,9 @@ def cellAreas(grid):
 
 def gradient(grid, values):
     """Nodal gradient of nodal `values` (n) or (n, c): the mean of the triangles around the node, weighted by area, as
-    the nodal patches of the solver take it. Shape (n, 2) or (n, c, 2); zero where there is no triangle."""
+    the nodal patches of the solver take it. Shape (n, 2) or (n, c, 2), of tetrahedra 3; zero where there is no cell."""
+    if len(grid.tetrahedra):
+        return space.gradient(grid, values)
     values = np.asarray(values, dtype=float)
     triangles, area = grid.triangles, cellAreas(grid)
     x = grid.points[triangles][:, :, :2]
@@ -41,6 +45,8 @@ def gradient(grid, values):
 
 
 def vorticity(grid, name="U"):
-    """dv/dx - du/dy at the nodes [1/s]."""
+    """dv/dx - du/dy at the nodes [1/s]; in tetrahedra the vector rot U."""
+    if len(grid.tetrahedra):
+        return space.curl(grid, name)
     g = gradient(grid, grid.point[name][:, :2])
     return g[:, 1, 0] - g[:, 0, 1]

@@ -2,14 +2,16 @@
 
 import numpy as np
 
-VERTEX, LINE, TRIANGLE = 1, 3, 5  # VTK's cell types
+from . import space
+
+VERTEX, LINE, TRIANGLE, TETRAHEDRON = 1, 3, 5, 10  # VTK's cell types
 
 
 class Grid:
     """One part of a time folder.
 
     points     (n, 3) positions [m]
-    triangles  (m, 3), lines (k, 2), vertices (j): indices into points; vertices are isolated particles
+    triangles  (m, 3), tetrahedra (m, 4), lines (k, 2), vertices (j): indices into points; vertices are isolated particles
     point      name -> nodal values: id U p D sigma X h ... ; tensors are XX YY ZZ XY YZ XZ
     cell       name -> values per cell in the file's order; cellsOf(...) picks those of one kind
     field      name -> values of the whole file: TimeValue, materials, patchNames
@@ -32,6 +34,10 @@ class Grid:
         return self._cells(TRIANGLE, 3)
 
     @property
+    def tetrahedra(self):
+        return self._cells(TETRAHEDRON, 4)
+
+    @property
     def lines(self):
         return self._cells(LINE, 2)
 
@@ -39,8 +45,10 @@ class Grid:
     def vertices(self):
         return self._cells(VERTEX, 1)[:, 0]
 
-    def cellsOf(self, name, kind=TRIANGLE):
-        """Cell values of the triangles (or of another kind of cells) only."""
+    def cellsOf(self, name, kind=None):
+        """Cell values of the tetrahedra, in the plane of the triangles (or of another kind of cells) only."""
+        if kind is None:
+            kind = TETRAHEDRON if (self.types == TETRAHEDRON).any() else TRIANGLE
         return self.cell[name][self.types == kind]
 
     @property
@@ -56,9 +64,12 @@ class Grid:
         return np.where(own[at] == ids, at, -1) if len(own) else np.full(ids.shape, -1)
 
     def sample(self, places, name):
-        """Field `name` at places (x, y[, z]), linear in the triangles; nan where there is none."""
-        places = np.atleast_2d(np.asarray(places, dtype=float))[:, :2]
+        """Field `name` at places (x, y[, z]), linear in the cells; nan where there is none."""
+        places = np.atleast_2d(np.asarray(places, dtype=float))
         field = self.point[name]
+        if (self.types == TETRAHEDRON).any():
+            return space.sample(self, places, field)
+        places = places[:, :2]
         result = np.full((len(places),) + field.shape[1:], np.nan)
         triangles = self.triangles
         corner = self.points[triangles][:, :, :2]
@@ -97,7 +108,7 @@ class Grid:
 
         kinds = [(name, kind, cells) for name, kind, cells in (
             ("vertex", VERTEX, self.vertices[:, None]), ("line", LINE, self.lines),
-            ("triangle", TRIANGLE, self.triangles)) if len(cells)]
+            ("triangle", TRIANGLE, self.triangles), ("tetra", TETRAHEDRON, self.tetrahedra)) if len(cells)]
         return meshio.Mesh(self.points, [(name, cells) for name, _, cells in kinds], point_data=dict(self.point),
                            cell_data={name: [values[self.types == kind] for _, kind, _ in kinds]
                                       for name, values in self.cell.items()})

@@ -29,9 +29,10 @@ def join(fluid, solid):
                   point, cell, dict(fluid.field))
     point["magU"], point["magD"] = magnitude(point["U"]), magnitude(point["D"])
     point["vonMises"] = vonMises(point["sigma"]) if "sigma" in point else np.zeros(len(ids))
-    point["vorticity"] = np.zeros(len(ids))
-    point["vorticity"][at[1]] = vorticity(solid)
-    point["vorticity"][at[0]] = vorticity(fluid)
+    point["vorticity"] = np.zeros((len(ids), 3) if len(joined.tetrahedra) else len(ids))
+    for part, index in ((solid, at[1]), (fluid, at[0])):
+        if len(part.tetrahedra) or len(part.triangles):
+            point["vorticity"][index] = vorticity(part)
     point["fluid"] = np.zeros(len(ids), dtype=np.uint8)
     point["fluid"][at[0]] = 1
     return joined
