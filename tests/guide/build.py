@@ -19,7 +19,8 @@ class Build:
         link = self.commandOf(built, 'applications/pfemFsiFoam').split(' && ')[1].split()
         self.libraries = [f for f in link[link.index('-o') + 2:] if not f.endswith('libpfem.a')]
         objects = built / 'src/CMakeFiles/pfem.dir'
-        self.objects = {p.relative_to(objects).with_suffix(''): p for p in objects.glob('*/*.cpp.o')}
+        found = {p.relative_to(objects).with_suffix(''): p for p in objects.rglob('*.cpp.o')}
+        self.objects = {f: p for f, p in found.items() if (project / 'src' / f).exists()}  # no leftovers of older trees
         self.built = built
         self.changed = self.reached()
 
@@ -33,7 +34,7 @@ class Build:
         """The sources that read a file that differs, and those that are new."""
         src = self.copy / 'src'
         users = collections.defaultdict(set)
-        files = [p.relative_to(src) for p in src.glob('*/*.?pp')]
+        files = [p.relative_to(src) for p in src.rglob('*.?pp')]
         for file in files:
             for used in re.findall(r'^#include "(.*?)"', (src / file).read_text(), re.M):
                 users[pathlib.Path(used)].add(file)
