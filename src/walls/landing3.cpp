@@ -150,7 +150,7 @@ private:
         const double slack = roundOff * h / (nodes_.x[face[1]] - nodes_.x[face[0]]).norm();
         const bool crosses = part < 1 && footWeights<3>(xOld_, face, old + part * (x - old)).minCoeff() > -slack;
         const bool arrives = footWeights<3>(nodes_.x, face, x).minCoeff() > -slack;
-        if (!crosses && (drop || !arrives)) return {};
+        if (!crosses && !(arrives && !(drop && after < 0))) return {};
         return {crosses && drop ? part : 1, wall};
     }
 

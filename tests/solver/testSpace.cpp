@@ -4,6 +4,7 @@
 
 #include "state/volume.hpp"
 #include "support/cases3.hpp"
+#include "walls/landing.hpp"
 
 using namespace pfem;
 using namespace pfem::test;
@@ -248,6 +249,54 @@ TEST(Space, boxSloshes) {
         EXPECT_NEAR(ratio, 1, m == 0 ? 0.01 : 0.06) << m;  // 20 and 10 cells a wave
         EXPECT_NEAR(totalVolume<3>(c.state), volume, 5e-4 * volume);
     }
+}
+
+// What crosses two walls within a step, by their common edge, lands on both; into a corner, on three. One that slides
+// on the floor and crosses the sides stays in the corner, or before it when somebody is there.
+TEST(Space, nothingLeavesATankByAnEdge) {
+    TestCase3 c = boxOfWater({0.3, 0.3, 0.3}, {1, 1, 1}, 0.1);
+    auto& nodes = c.state.nodes;
+    const auto put = [&](const Vec<3>& x, const Supports<3>& wall) {
+        nodes.resize(nodes.size() + 1);
+        nodes.id.back() = c.state.nextId++;
+        nodes.x.back() = nodes.X.back() = x;
+        nodes.h.back() = 0.1;
+        nodes.dropVolume.back() = 1e-6;
+        nodes.wall.back() = wall;
+        return nodes.size() - 1;
+    };
+    const auto wallAt = [&](const Vec<3>& x) {
+        Supports<3> supports = unsupported<3>();
+        const auto faces = c.topology().walls;
+        for (int w = 0; w < static_cast<int>(faces.size()) && supports[0] < 0; ++w) {
+            const auto place = placeOnRegion<3>(faces, nodes.x, w, x);
+            if ((place.x - x).norm() < 1e-9) supports[0] = place.face;
+        }
+        return supports;
+    };
+    const int edge = put({0.96, 0.96, 0.5}, unsupported<3>()), corner = put({0.97, 0.96, 0.04}, unsupported<3>()),
+              slides = put({0.95, 0.5, 0}, wallAt({0.95, 0.5, 0})),
+              late = put({0.93, 0.94, 0}, wallAt({0.93, 0.94, 0}));
+    const auto topology = c.topology();
+    const Points<3> old = nodes.x;
+    const auto move = [&](int i, const Vec<3>& way) {
+        nodes.x[i] += way;
+        nodes.v[i] = way / 0.01;
+    };
+    move(edge, {0.08, 0.07, 0});
+    move(corner, {0.07, 0.08, -0.09});
+    move(slides, {0.1, 0.01, 0});
+    move(late, {0.1, 0.12, 0});
+    landOnWalls<3>(c.controls.remeshing.expert.walls, topology, old, g, c.state);
+    for (const int i : {edge, corner, slides, late}) {
+        EXPECT_LE(nodes.x[i].maxCoeff(), 1 + 1e-9) << nodes.x[i].transpose();
+        EXPECT_GE(nodes.x[i].minCoeff(), -1e-9) << nodes.x[i].transpose();
+    }
+    EXPECT_EQ(nSupports(nodes.wall[edge]), 2);
+    EXPECT_EQ(nSupports(nodes.wall[slides]), 2);
+    EXPECT_EQ(nSupports(nodes.wall[corner]) + nSupports(nodes.wall[late]), 5);  // one has the corner
+    EXPECT_LT((nodes.v[edge] - Vec<3>(0, 0, 0)).norm(), 1e-9);
+    EXPECT_LT((nodes.v[slides] - Vec<3>(0, 1, 0)).norm(), 1e-9);
 }
 
 }  // namespace
