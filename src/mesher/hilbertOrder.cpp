@@ -1,11 +1,29 @@
 #include "mesher/hilbertOrder.hpp"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Spatial_sort_traits_adapter_2.h>
-#include <CGAL/hilbert_sort.h>
-#include <CGAL/property_map.h>
+#include <algorithm>
 
 namespace pfem {
+
+namespace {
+
+/// Distance along the curve that fills a square of 2^bits by 2^bits cells.
+std::uint64_t hilbertIndex(std::uint32_t x, std::uint32_t y, int bits) {
+    std::uint64_t index = 0;
+    for (std::uint32_t side = 1u << (bits - 1); side > 0; side >>= 1) {
+        const std::uint32_t right = (x & side) ? 1 : 0, top = (y & side) ? 1 : 0;
+        index = 4 * index + ((3 * right) ^ top);
+        if (top == 0) {  // the lower quadrants are turned
+            if (right == 1) {
+                x = ~x;
+                y = ~y;
+            }
+            std::swap(x, y);
+        }
+    }
+    return index;
+}
+
+}  // namespace
 
 std::vector<int> hilbertOrder(const Points<2>& points) {
     if (points.empty()) return {};
@@ -14,22 +32,22 @@ std::vector<int> hilbertOrder(const Points<2>& points) {
         low = low.cwiseMin(x);
         high = high.cwiseMax(x);
     }
-    // in cells of a millionth of the extent, so that round-off decides nothing: the order is the same in all units
+    constexpr int bits = 20;
     const double extent = (high - low).maxCoeff();
-    const double scale = extent > 0 ? (1 << 20) / extent : 0.0;
-    using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-    using Site = std::pair<Kernel::Point_2, int>;
-    std::vector<Site> sites;
-    sites.reserve(points.size());
+    const double scale = extent > 0 ? ((1u << bits) - 1) / extent : 0.0;
+    const Vec<2> roundOff = Vec<2>::Constant(1e-6);  // of a cell: what lies on its border belongs to it
+    std::vector<std::pair<std::uint64_t, int>> keyed;
+    keyed.reserve(points.size());
     for (const auto& x : points) {
-        const Vec<2> cell = (scale * (x - low) + Vec<2>::Constant(1e-6)).array().floor();
-        sites.emplace_back(Kernel::Point_2(cell.x(), cell.y()), static_cast<int>(sites.size()));
+        const Vec<2> cell = scale * (x - low) + roundOff;
+        keyed.emplace_back(
+            hilbertIndex(static_cast<std::uint32_t>(cell.x()), static_cast<std::uint32_t>(cell.y()), bits),
+            static_cast<int>(keyed.size()));
     }
-    using Traits = CGAL::Spatial_sort_traits_adapter_2<Kernel, CGAL::First_of_pair_property_map<Site>>;
-    CGAL::hilbert_sort(sites.begin(), sites.end(), Traits());
+    std::sort(keyed.begin(), keyed.end());
     std::vector<int> order;
-    order.reserve(sites.size());
-    for (const auto& [place, i] : sites) order.push_back(i);
+    order.reserve(keyed.size());
+    for (const auto& [key, i] : keyed) order.push_back(i);
     return order;
 }
 
