@@ -1,11 +1,10 @@
 #include "continuity/continuitySystem.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "base/parallel.hpp"
 #include "continuity/stabilisation.hpp"
-#include "linear/dissectedLdlt.hpp"
+#include "linear/directSolver.hpp"
 #include "momentum/surfaceStiffness.hpp"
 
 namespace pfem {
@@ -217,35 +216,6 @@ Places<Dim> placesOfUnknowns(const Points<Dim>& x, const Unknowns& u, const Soli
     return place;
 }
 
-/// Slabs of equal numbers of unknowns, across the axis along which the fewest of those that meet are parted.
-template <int Dim>
-std::vector<int> partsOfUnknowns(const SymmetricMatrix& A, const Places<Dim>& place, int nParts) {
-    if (nParts < 2) return std::vector<int>(A.n, 0);
-    std::array<std::vector<int>, Dim> part;
-    std::array<int, Dim> parted{};
-    parallelTasks(Dim, [&](int axis) {
-        part[axis] = slabs<Dim>(place, nParts, axis);
-        int count = 0;
-        for (int j = 0; j < A.n; ++j)
-            for (int s = A.start[j]; s < A.start[j + 1]; ++s) count += part[axis][A.row[s]] != part[axis][j];
-        parted[axis] = count;
-    });
-    return part[std::min_element(parted.begin(), parted.end()) - parted.begin()];
-}
-
-/// As many as pay: each has an ordering and a factor of its own, and what lies between them grows.
-int nParts(int unknowns) { return unknowns < 2000 ? 1 : unknowns < 100000 ? 2 : 4; }
-
-template <int Dim>
-std::unique_ptr<SymmetricSolver> makeSolver(const ContinuityControls& controls, const SymmetricMatrix& A,
-                                            Places<Dim> place) {
-    const int parts = nParts(A.n);
-    auto part = partsOfUnknowns<Dim>(A, place, parts);
-    if (controls.factorPrecision == "double")
-        return std::make_unique<DissectedLdlt<Dim, double>>(std::move(place), std::move(part), parts);
-    return std::make_unique<DissectedLdlt<Dim, float>>(std::move(place), std::move(part), parts);
-}
-
 }  // namespace
 
 template <int Dim>
@@ -268,7 +238,8 @@ ContinuitySystem<Dim>::ContinuitySystem(const Step<Dim>& step, const ContinuityC
     addSolid<Dim>(of, A);
     if (!strong) addFreeSurface<Dim>(of, x, A);
 
-    solver_ = makeSolver<Dim>(controls, A, placesOfUnknowns<Dim>(x, u, solid.dofs));
+    const auto precision = controls.factorPrecision == "double" ? Precision::twofold : Precision::single;
+    solver_ = dissectedSolver<Dim>(A, placesOfUnknowns<Dim>(x, u, solid.dofs), precision);
     solver_->analyse(A);
     solver_->factor(A);
 }

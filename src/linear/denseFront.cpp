@@ -1,15 +1,10 @@
 #include "linear/denseFront.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
-// Wider registers where the processor has them; elementwise operations, so that the bits are the same.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define PFEM_WIDE __attribute__((target_clones("avx512f", "avx2", "default")))
-#define PFEM_INLINE inline __attribute__((always_inline))  // into each of the clones
-#else
-#define PFEM_WIDE
-#define PFEM_INLINE inline
-#endif
+#include "linear/tiles.hpp"
 
 namespace pfem {
 
@@ -54,25 +49,8 @@ PFEM_INLINE void substitute(const Stored* L, int m, int width, const double* bel
     }
 }
 
-}  // namespace
-
-PFEM_WIDE bool factorColumns(double* F, int m, int width) {
-    for (int k = 0; k < width; ++k) {
-        double* const column = F + static_cast<long>(k) * m;
-        const double pivot = column[k];
-        if (pivot == 0 || !std::isfinite(pivot)) return false;
-        const double inverse = 1 / pivot;
-        for (int j = k + 1; j < width; ++j) {
-            const double c = column[j] * inverse;
-            double* const other = F + static_cast<long>(j) * m;
-            for (int i = j; i < m; ++i) other[i] -= c * column[i];
-        }
-        for (int i = k + 1; i < m; ++i) column[i] *= inverse;
-    }
-    return true;
-}
-
-PFEM_WIDE void subtractProduct(double* U, int r, const double* F, int m, int width) {
+/// U -= L21 D L21^T, four columns of L21 at a time.
+PFEM_INLINE void subtractByColumns(double* U, int r, const double* F, int m, int width) {
     const double* const below = F + (m - r);
     int k = 0;
     for (; k + 4 <= width; k += 4) {
@@ -97,6 +75,84 @@ PFEM_WIDE void subtractProduct(double* U, int r, const double* F, int m, int wid
             for (int i = j; i < r; ++i) u[i] -= ca * a[i];
         }
     }
+}
+
+/// Columns begin ... end - 1 take what those before them in this range leave, one after the other; the column's own
+/// entries stay as they are (they are divided by the pivots at the end).
+PFEM_INLINE bool factorPanel(double* F, int m, int begin, int end, double* inverse) {
+    for (int k = begin; k < end; ++k) {
+        const double* const column = F + static_cast<long>(k) * m;
+        const double pivot = column[k];
+        if (pivot == 0 || !std::isfinite(pivot)) return false;
+        inverse[k] = 1 / pivot;
+        for (int j = k + 1; j < end; ++j) {
+            const double c = column[j] * inverse[k];
+            double* const other = F + static_cast<long>(j) * m;
+            for (int i = j; i < m; ++i) other[i] -= c * column[i];
+        }
+    }
+    return true;
+}
+
+/// Columns from `end` on take what begin ... end - 1 leave.
+PFEM_INLINE void applyPanel(double* F, int m, int width, int begin, int end, const double* inverse) {
+    const int n = end - begin;
+    Tiles tiles(m - end, width - end, n);
+    for (int k = 0; k < n; ++k) {
+        const double* const column = F + static_cast<long>(begin + k) * m;
+        tiles.setFactors(k, [&](int j) { return column[end + j] * inverse[begin + k]; });
+    }
+    for (int i = 0; i < m - end; i += tileRows) {
+        const double* const strip = tiles.strip(F + static_cast<long>(begin) * m + end, m, i);
+        for (int j = 0; j < std::min(width - end, i + tileRows); j += tileColumns)
+            tiles.update(
+                i, j, [&](int column) { return F + static_cast<long>(end + column) * m + end; },
+                [&](Tile& tile) { subtractSingly(tile, strip, tiles.factors(j), n); });
+    }
+}
+
+/// U -= L21 D L21^T by tiles, the same bits as by columns.
+PFEM_INLINE void subtractByTiles(double* U, int r, const double* F, int m, int width) {
+    const double* const below = F + (m - r);
+    for (int begin = 0; begin < width; begin += depth) {
+        const int n = std::min(depth, width - begin);
+        Tiles tiles(r, r, n);
+        for (int k = 0; k < n; ++k) {
+            const double* const column = below + static_cast<long>(begin + k) * m;
+            const double d = F[static_cast<long>(begin + k) * m + begin + k];
+            tiles.setFactors(k, [&](int j) { return d * column[j]; });
+        }
+        for (int i = 0; i < r; i += tileRows) {
+            const double* const strip = tiles.strip(below + static_cast<long>(begin) * m, m, i);
+            for (int j = 0; j < std::min(r, i + tileRows); j += tileColumns)
+                tiles.update(
+                    i, j, [&](int column) { return U + packedColumn(column, r); },
+                    [&](Tile& tile) { subtractByFours(tile, strip, tiles.factors(j), n); });
+        }
+    }
+}
+
+}  // namespace
+
+PFEM_WIDE bool factorColumns(double* F, int m, int width) {
+    std::vector<double> inverse(width);
+    for (int begin = 0, end = 0; end < width; begin = end) {
+        end = width < 2 * panelWidth ? width : std::min(width, begin + panelWidth);
+        if (!factorPanel(F, m, begin, end, inverse.data())) return false;
+        if (end < width) applyPanel(F, m, width, begin, end, inverse.data());
+    }
+    for (int k = 0; k < width; ++k) {
+        double* const column = F + static_cast<long>(k) * m;
+        for (int i = k + 1; i < m; ++i) column[i] *= inverse[k];
+    }
+    return true;
+}
+
+PFEM_WIDE void subtractProduct(double* U, int r, const double* F, int m, int width) {
+    if (r >= 400 && width >= 8)
+        subtractByTiles(U, r, F, m, width);
+    else
+        subtractByColumns(U, r, F, m, width);
 }
 
 PFEM_WIDE void eliminateColumns(const float* L, int m, int width, double* own, double* below) {

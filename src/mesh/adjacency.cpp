@@ -1,6 +1,8 @@
 #include "mesh/adjacency.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
@@ -96,27 +98,33 @@ NodeToNodes nodeToNodes(const std::vector<Simplex<Dim>>& cells, const NodeToCell
     return result;
 }
 
-/// Faces that no other cell around their first node has.
+/// Faces of one cell alone. Each face is looked for among those whose lowest node is the same.
 template <int Dim>
 std::vector<unsigned char> openFaces(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around) {
-    const auto isShared = [&](int e, const Face<Dim>& face) {
-        for (int s = around.start[face[0]]; s < around.start[face[0] + 1]; ++s) {
-            const auto& other = cells[around.cell[s]];
-            if (around.cell[s] == e) continue;
-            bool all = true;
-            for (int l = 1; l < Dim; ++l) {
-                bool has = false;
-                for (int k = 1; k <= Dim; ++k) has |= other[(around.corner[s] + k) % (Dim + 1)] == face[l];
-                all &= has;
-            }
-            if (all) return true;
-        }
-        return false;
-    };
+    using Seen = std::pair<std::array<int, Dim - 1>, int>;  // a face's other nodes, and Dim + 1 times its cell + corner
     std::vector<unsigned char> open(cells.size() * (Dim + 1), 0);
-    parallelFor(static_cast<int>(cells.size()), [&](int e) {
-        for (int k = 0; k <= Dim; ++k) open[e * (Dim + 1) + k] = !isShared(e, oppositeFace<Dim>(cells[e], k));
-    });
+#pragma omp parallel if (cells.size() > shortLoop)
+    {
+        std::vector<Seen> seen;
+#pragma omp for schedule(static)
+        for (int i = 0; i < static_cast<int>(around.start.size()) - 1; ++i) {
+            seen.clear();
+            for (int s = around.start[i]; s < around.start[i + 1]; ++s)
+                for (int k = 0; k <= Dim; ++k) {
+                    if (k == around.corner[s]) continue;
+                    Face<Dim> face = oppositeFace<Dim>(cells[around.cell[s]], k);
+                    std::sort(face.begin(), face.end());
+                    if (face[0] != i) continue;
+                    seen.emplace_back();
+                    std::copy(face.begin() + 1, face.end(), seen.back().first.begin());
+                    seen.back().second = around.cell[s] * (Dim + 1) + k;
+                }
+            std::sort(seen.begin(), seen.end());
+            for (std::size_t f = 0; f < seen.size(); ++f)
+                open[seen[f].second] = (f == 0 || seen[f - 1].first != seen[f].first) &&
+                                       (f + 1 == seen.size() || seen[f + 1].first != seen[f].first);
+        }
+    }
     return open;
 }
 

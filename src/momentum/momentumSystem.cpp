@@ -7,6 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "linear/conjugateGradients.hpp"
+#include "linear/directSolver.hpp"
 
 namespace pfem {
 
@@ -75,6 +76,15 @@ PerPoint<double> meanBulk(const SmoothingDomains<Dim>& fluid, const PerNode<doub
     return PerPoint<double>(nStressPoints<Dim>(fluid), gradientSum > 0 ? massSum / gradientSum : 0);
 }
 
+/// Where the unknowns of a solid are: at their nodes.
+template <int Dim>
+Places<Dim> placesOfUnknowns(const SolidDofs<Dim>& dofs, const Points<Dim>& x) {
+    Places<Dim> place(dofs.n);
+    for (const int i : dofs.node)
+        for (int c = 0; c < dofs.count[i]; ++c) place[dofs.first[i] + c] = x[i];
+    return place;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -88,8 +98,9 @@ MomentumSystem<Dim>::MomentumSystem(const Step<Dim>& step, const MomentumControl
       inertia_(inertia.size(), Vec<Dim>::Zero()),
       diagonal_(inertia.size(), 0.0) {
     if (solid_.dofs.n > 0) {
-        factor_.analyse(solid_.matrix);
-        factor_.factor(solid_.matrix);
+        factor_ = elasticSolver<Dim>(solid_.matrix, placesOfUnknowns<Dim>(solid_.dofs, step.old.x));
+        factor_->analyse(solid_.matrix);
+        factor_->factor(solid_.matrix);
     }
     const Topology<Dim>& topology = step.topology;
     for (int i = 0; i < topology.nNodes(); ++i) {
@@ -178,7 +189,7 @@ Points<Dim> MomentumSystem<Dim>::precondition(const Points<Dim>& r) const {
         if (diagonal_[i] > 0)
             z[i] = constraints_.project(i, r[i]).cwiseQuotient(inertia_[i] + Vec<Dim>::Constant(viscousDiagonal_[i]));
     });
-    if (solid_.dofs.n > 0) scatter(factor_.solve(gather(r)), z);
+    if (solid_.dofs.n > 0) scatter(factor_->solve(gather(r)), z);
     return z;
 }
 

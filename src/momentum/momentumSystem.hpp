@@ -1,7 +1,9 @@
 #pragma once
 // ONE linear system for the velocities of fluid and solid together: (M + K) dv = -R_m (40)-(43).
 
-#include "linear/ldlt.hpp"
+#include <memory>
+
+#include "linear/symmetricSolver.hpp"
 #include "momentum/fluidPhase.hpp"
 #include "momentum/solidMatrix.hpp"
 #include "momentum/step.hpp"
@@ -48,7 +50,7 @@ private:
     const NodeConstraints<Dim>& constraints_;
     const FluidPhase<Dim>& fluid_;
     SolidBlock<Dim> solid_;
-    Ldlt factor_;
+    std::unique_ptr<SymmetricSolver> factor_;
     std::vector<unsigned char> moving_;    // fluid nodes with unknowns, solids left out
     Points<Dim> inertia_;                  // of moving fluid nodes; of a sliding one the same in all directions
     std::vector<double> diagonal_;         // its least component, 0 elsewhere

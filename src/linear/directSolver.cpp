@@ -1,0 +1,57 @@
+#include "linear/directSolver.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "base/parallel.hpp"
+#include "linear/dissectedLdlt.hpp"
+#include "linear/ldlt.hpp"
+
+namespace pfem {
+
+namespace {
+
+/// Slabs of equal numbers of unknowns, across the axis along which the fewest of those that meet are parted.
+template <int Dim>
+std::vector<int> partsOfUnknowns(const SymmetricMatrix& A, const Places<Dim>& place, int nParts) {
+    if (nParts < 2) return std::vector<int>(A.n, 0);
+    std::array<std::vector<int>, Dim> part;
+    std::array<int, Dim> parted{};
+    parallelTasks(Dim, [&](int axis) {
+        part[axis] = slabs<Dim>(place, nParts, axis);
+        int count = 0;
+        for (int j = 0; j < A.n; ++j)
+            for (int s = A.start[j]; s < A.start[j + 1]; ++s) count += part[axis][A.row[s]] != part[axis][j];
+        parted[axis] = count;
+    });
+    return part[std::min_element(parted.begin(), parted.end()) - parted.begin()];
+}
+
+/// As many as pay: each has an ordering and a factor of its own, and what lies between them grows.
+int nParts(int unknowns) { return unknowns < 2000 ? 1 : unknowns < 100000 ? 2 : 4; }
+
+}  // namespace
+
+template <int Dim>
+std::unique_ptr<SymmetricSolver> dissectedSolver(const SymmetricMatrix& A, Places<Dim> place, Precision precision) {
+    const int parts = nParts(A.n);
+    auto part = partsOfUnknowns<Dim>(A, place, parts);
+    if (precision == Precision::twofold)
+        return std::make_unique<DissectedLdlt<Dim, double>>(std::move(place), std::move(part), parts);
+    return std::make_unique<DissectedLdlt<Dim, float>>(std::move(place), std::move(part), parts);
+}
+
+template <int Dim>
+std::unique_ptr<SymmetricSolver> elasticSolver(const SymmetricMatrix& A, Places<Dim> place) {
+    constexpr int large = 3000;
+    if (Dim == 2 && A.n < large) return std::make_unique<Ldlt>();
+    return dissectedSolver<Dim>(A, std::move(place), Precision::twofold);
+}
+
+#define PFEM_INSTANTIATE(D)                                                                                     \
+    template std::unique_ptr<SymmetricSolver> dissectedSolver<D>(const SymmetricMatrix&, Places<D>, Precision); \
+    template std::unique_ptr<SymmetricSolver> elasticSolver<D>(const SymmetricMatrix&, Places<D>);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
+
+}  // namespace pfem

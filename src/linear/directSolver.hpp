@@ -1,0 +1,22 @@
+#pragma once
+// Which direct solver a sparse symmetric matrix is given.
+
+#include <memory>
+
+#include "linear/nestedDissection.hpp"
+#include "linear/symmetricSolver.hpp"
+
+namespace pfem {
+
+enum class Precision { single, twofold };  // in which a factor is kept; it is computed in double precision
+
+/// A factor by dense fronts, of as many parts as pay; `place`: where each unknown of A is.
+template <int Dim>
+std::unique_ptr<SymmetricSolver> dissectedSolver(const SymmetricMatrix& A, Places<Dim> place, Precision precision);
+
+/// The same in double precision for large matrices and for tetrahedra, whose factors have many entries; for small ones
+/// of the plane a simplicial factor (CHOLMOD).
+template <int Dim>
+std::unique_ptr<SymmetricSolver> elasticSolver(const SymmetricMatrix& A, Places<Dim> place);
+
+}  // namespace pfem
