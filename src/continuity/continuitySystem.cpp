@@ -4,7 +4,8 @@
 
 #include "base/parallel.hpp"
 #include "continuity/stabilisation.hpp"
-#include "linear/directSolver.hpp"
+#include "linear/multigrid.hpp"
+#include "linear/solvers.hpp"
 #include "momentum/surfaceStiffness.hpp"
 
 namespace pfem {
@@ -216,6 +217,23 @@ Places<Dim> placesOfUnknowns(const Points<Dim>& x, const Unknowns& u, const Soli
     return place;
 }
 
+/// Fill grows with n^1.4 in three dimensions, a multigrid's levels with n.
+template <int Dim>
+bool byMultigrid(const ContinuityControls& controls, int nPressures) {
+    constexpr int large = 20000;
+    if (controls.solver != "auto") return controls.solver == "multigrid";
+    return Dim == 3 && nPressures > large && hasMultigrid();
+}
+
+template <int Dim>
+std::unique_ptr<SymmetricSolver> makeSolver(const ContinuityControls& controls, const SymmetricMatrix& A,
+                                            Places<Dim> place, const SaddleSizes& sizes) {
+    if (byMultigrid<Dim>(controls, sizes.nPressures))
+        return multigridSolver<Dim>(A, place, sizes, controls.solverTolerance);
+    const auto precision = controls.factorPrecision == "double" ? Precision::twofold : Precision::single;
+    return dissectedSolver<Dim>(A, std::move(place), precision);
+}
+
 }  // namespace
 
 template <int Dim>
@@ -238,8 +256,7 @@ ContinuitySystem<Dim>::ContinuitySystem(const Step<Dim>& step, const ContinuityC
     addSolid<Dim>(of, A);
     if (!strong) addFreeSurface<Dim>(of, x, A);
 
-    const auto precision = controls.factorPrecision == "double" ? Precision::twofold : Precision::single;
-    solver_ = dissectedSolver<Dim>(A, placesOfUnknowns<Dim>(x, u, solid.dofs), precision);
+    solver_ = makeSolver<Dim>(controls, A, placesOfUnknowns<Dim>(x, u, solid.dofs), {u.nPressure, u.nSolid});
     solver_->analyse(A);
     solver_->factor(A);
 }

@@ -16,6 +16,8 @@ struct ContinuityControls {
     double freeSurfaceWeight = 1;
     std::string freeSurfacePressure = "weak";
     std::string factorPrecision = "single";
+    std::string solver = "auto";
+    double solverTolerance = 1e-2;
     std::string stabilisation = "projection";
     bool interfaceAcceleration = true;
     double volumeReturnTime = 0.02;
@@ -39,6 +41,12 @@ struct ContinuityControls {
           "in which the factor of the pressure matrix is kept; single takes less time, the iteration corrects what it "
           "lacks",
           oneOf({"single", "double"}));
+        v("solver", solver, "-",
+          "of the pressure matrix: a direct factor, multigrid (conjugate gradients with PETSc's smoothed aggregation), "
+          "or "
+          "auto: multigrid for large cases in three dimensions",
+          oneOf({"auto", "direct", "multigrid"}));
+        v("solverTolerance", solverTolerance, "-", "of multigrid: what is left of the residual", positive);
         v("stabilisation", stabilisation, "-",
           "projection: grad p less its projection to the nodes, so that no wave near rest grows; inertia: the full "
           "residual "

@@ -7,7 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "linear/conjugateGradients.hpp"
-#include "linear/directSolver.hpp"
+#include "linear/solvers.hpp"
 
 namespace pfem {
 

@@ -1,9 +1,10 @@
 #pragma once
-// Which direct solver a sparse symmetric matrix is given.
+// Which solver a sparse symmetric matrix is given.
 
 #include <memory>
 
 #include "linear/nestedDissection.hpp"
+#include "linear/saddle.hpp"
 #include "linear/symmetricSolver.hpp"
 
 namespace pfem {
@@ -18,5 +19,10 @@ std::unique_ptr<SymmetricSolver> dissectedSolver(const SymmetricMatrix& A, Place
 /// of the plane a simplicial factor (CHOLMOD).
 template <int Dim>
 std::unique_ptr<SymmetricSolver> elasticSolver(const SymmetricMatrix& A, Places<Dim> place);
+
+/// The same as `dissectedSolver` for [K B; B^T -M], by multigrid for the pressures; `place` of all unknowns.
+template <int Dim>
+std::unique_ptr<SymmetricSolver> multigridSolver(const SymmetricMatrix& A, const Places<Dim>& place,
+                                                 const SaddleSizes& sizes, double tolerance);
 
 }  // namespace pfem

@@ -1,4 +1,4 @@
-#include "linear/directSolver.hpp"
+#include "linear/solvers.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,6 +6,7 @@
 #include "base/parallel.hpp"
 #include "linear/dissectedLdlt.hpp"
 #include "linear/ldlt.hpp"
+#include "linear/multigridSolver.hpp"
 
 namespace pfem {
 
@@ -48,9 +49,22 @@ std::unique_ptr<SymmetricSolver> elasticSolver(const SymmetricMatrix& A, Places<
     return dissectedSolver<Dim>(A, std::move(place), Precision::twofold);
 }
 
+template <int Dim>
+std::unique_ptr<SymmetricSolver> multigridSolver(const SymmetricMatrix& A, const Places<Dim>& place,
+                                                 const SaddleSizes& sizes, double tolerance) {
+    std::unique_ptr<SymmetricSolver> elastic;
+    if (sizes.nElastic > 0) {
+        const auto first = place.begin() + sizes.nPressures;
+        elastic = elasticSolver<Dim>(split(A, sizes).elastic, Places<Dim>(first, first + sizes.nElastic));
+    }
+    return std::make_unique<MultigridSolver>(sizes, std::move(elastic), tolerance);
+}
+
 #define PFEM_INSTANTIATE(D)                                                                                     \
     template std::unique_ptr<SymmetricSolver> dissectedSolver<D>(const SymmetricMatrix&, Places<D>, Precision); \
-    template std::unique_ptr<SymmetricSolver> elasticSolver<D>(const SymmetricMatrix&, Places<D>);
+    template std::unique_ptr<SymmetricSolver> elasticSolver<D>(const SymmetricMatrix&, Places<D>);              \
+    template std::unique_ptr<SymmetricSolver> multigridSolver<D>(const SymmetricMatrix&, const Places<D>&,      \
+                                                                 const SaddleSizes&, double);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

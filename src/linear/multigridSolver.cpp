@@ -1,0 +1,41 @@
+#include "linear/multigridSolver.hpp"
+
+namespace pfem {
+
+MultigridSolver::MultigridSolver(SaddleSizes sizes, std::unique_ptr<SymmetricSolver> elastic, double tolerance)
+    : sizes_(sizes), elastic_(std::move(elastic)), multigrid_(tolerance) {}
+
+void MultigridSolver::analyse(const SymmetricMatrix& A) {
+    if (sizes_.nElastic > 0) elastic_->analyse(split(A, sizes_).elastic);
+}
+
+void MultigridSolver::factor(const SymmetricMatrix& A) {
+    saddle_ = split(A, sizes_);
+    Multigrid::Operator apply;
+    if (sizes_.nElastic > 0) {
+        elastic_->factor(saddle_.elastic);
+        apply = [this](const Eigen::VectorXd& p) -> Eigen::VectorXd {
+            return multiply(saddle_.K, p) + multiply(saddle_.B, inverseM(multiply(saddle_.Bt, p)));
+        };
+    }
+    multigrid_.setUp(eliminateDiagonal(saddle_), std::move(apply));
+}
+
+Eigen::VectorXd MultigridSolver::inverseM(const Eigen::VectorXd& velocities) const {
+    const int nElastic = sizes_.nElastic;
+    Eigen::VectorXd x = velocities.cwiseProduct(
+        Eigen::Map<const Eigen::VectorXd>(saddle_.inverse.data(), static_cast<Eigen::Index>(saddle_.inverse.size())));
+    if (nElastic > 0) x.head(nElastic) = elastic_->solve(velocities.head(nElastic));
+    return x;
+}
+
+Eigen::VectorXd MultigridSolver::solve(const Eigen::VectorXd& b) const {
+    const int nP = sizes_.nPressures;
+    const Eigen::VectorXd given = b.tail(b.size() - nP);
+    Eigen::VectorXd x(b.size());
+    x.head(nP) = multigrid_.solve(b.head(nP) + multiply(saddle_.B, inverseM(given)));
+    x.tail(b.size() - nP) = inverseM(multiply(saddle_.Bt, x.head(nP)) - given);
+    return x;
+}
+
+}  // namespace pfem

@@ -1,0 +1,149 @@
+#include "linear/saddle.hpp"
+
+#include <algorithm>
+
+#include "base/parallel.hpp"
+
+namespace pfem {
+
+namespace {
+
+/// Entries (row, column, value) that forEntries visits, by rows, in the order of the visits.
+template <class ForEntries>
+SparseRows byRows(int n, const ForEntries& forEntries) {
+    SparseRows rows;
+    rows.start.assign(static_cast<std::size_t>(n) + 1, 0);
+    forEntries([&](int i, int, double) { ++rows.start[i + 1]; });
+    for (int i = 0; i < n; ++i) rows.start[i + 1] += rows.start[i];
+    rows.column.resize(rows.start[n]);
+    rows.value.resize(rows.start[n]);
+    std::vector<int> next(rows.start.begin(), rows.start.end() - 1);
+    forEntries([&](int i, int j, double value) {
+        rows.column[next[i]] = j;
+        rows.value[next[i]++] = value;
+    });
+    return rows;
+}
+
+/// -M of the elastic velocities.
+SymmetricMatrix elasticBlock(const SymmetricMatrix& A, const SaddleSizes& sizes) {
+    const int first = sizes.nPressures;
+    SymmetricMatrix M;
+    M.n = sizes.nElastic;
+    M.start.assign(1, 0);
+    for (int j = first; j < first + M.n; ++j) {
+        for (int s = A.start[j]; s < A.start[j + 1]; ++s) {
+            M.row.push_back(A.row[s] - first);
+            M.value.push_back(-A.value[s]);
+        }
+        M.start.push_back(static_cast<int>(M.row.size()));
+    }
+    return M;
+}
+
+/// One row while it is put together.
+class Row {
+public:
+    explicit Row(int nColumns) : at_(nColumns, -1) {}
+
+    void add(int column, double value) {
+        if (at_[column] < 0) {
+            at_[column] = static_cast<int>(entries_.size());
+            entries_.emplace_back(column, 0.0);
+        }
+        entries_[at_[column]].second += value;
+    }
+    const std::vector<std::pair<int, double>>& sorted() {
+        std::sort(entries_.begin(), entries_.end());
+        return entries_;
+    }
+    void clear() {
+        for (const auto& entry : entries_) at_[entry.first] = -1;
+        entries_.clear();
+    }
+
+private:
+    std::vector<int> at_;
+    std::vector<std::pair<int, double>> entries_;
+};
+
+}  // namespace
+
+Eigen::VectorXd multiply(const SparseRows& A, const Eigen::VectorXd& x) {
+    Eigen::VectorXd y(A.n());
+    parallelFor(A.n(), [&](int i) {
+        double sum = 0;
+        for (int s = A.start[i]; s < A.start[i + 1]; ++s) sum += A.value[s] * x[A.column[s]];
+        y[i] = sum;
+    });
+    return y;
+}
+
+Saddle split(const SymmetricMatrix& A, const SaddleSizes& sizes) {
+    const int nP = sizes.nPressures;
+    const auto forColumns = [&](const auto& visit) {  // visit(pressure, row, value)
+        for (int j = 0; j < nP; ++j)
+            for (int s = A.start[j]; s < A.start[j + 1]; ++s) visit(j, A.row[s], A.value[s]);
+    };
+    Saddle saddle;
+    saddle.K = byRows(nP, [&](const auto& visit) {
+        forColumns([&](int j, int i, double value) {
+            if (i >= nP) return;
+            visit(i, j, value);
+            if (i != j) visit(j, i, value);
+        });
+    });
+    saddle.B = byRows(nP, [&](const auto& visit) {
+        forColumns([&](int j, int i, double value) {
+            if (i >= nP) visit(j, i - nP, value);
+        });
+    });
+    saddle.Bt = byRows(A.n - nP, [&](const auto& visit) {
+        forColumns([&](int j, int i, double value) {
+            if (i >= nP) visit(i - nP, j, value);
+        });
+    });
+    saddle.elastic = elasticBlock(A, sizes);
+    for (int q = nP; q < A.n; ++q) saddle.inverse.push_back(-1 / A.value[A.start[q]]);
+    return saddle;
+}
+
+SparseRows eliminateDiagonal(const Saddle& saddle) {
+    constexpr int block = 512;
+    const int n = saddle.K.n(), nBlocks = (n + block - 1) / block;
+    const auto forRow = [&](int i, Row& row) {
+        const auto& [K, B, Bt] = std::tie(saddle.K, saddle.B, saddle.Bt);
+        for (int s = K.start[i]; s < K.start[i + 1]; ++s) row.add(K.column[s], K.value[s]);
+        for (int s = B.start[i]; s < B.start[i + 1]; ++s) {
+            const int q = B.column[s];
+            const double factor = B.value[s] * saddle.inverse[q];
+            for (int t = Bt.start[q]; t < Bt.start[q + 1]; ++t) row.add(Bt.column[t], factor * Bt.value[t]);
+        }
+    };
+    std::vector<SparseRows> part(nBlocks);
+#pragma omp parallel if (n > shortLoop)
+    {
+        Row row(n);
+#pragma omp for schedule(static)
+        for (int b = 0; b < nBlocks; ++b)
+            for (int i = b * block; i < std::min(n, (b + 1) * block); ++i) {
+                forRow(i, row);
+                for (const auto& [column, value] : row.sorted()) {
+                    part[b].column.push_back(column);
+                    part[b].value.push_back(value);
+                }
+                part[b].start.push_back(static_cast<int>(part[b].column.size()));
+                row.clear();
+            }
+    }
+    SparseRows S;
+    for (const SparseRows& each : part) {
+        const int before = static_cast<int>(S.column.size());
+        for (int i = 1; i <= each.n(); ++i) S.start.push_back(before + each.start[i]);
+        S.column.insert(S.column.end(), each.column.begin(), each.column.end());
+        S.value.insert(S.value.end(), each.value.begin(), each.value.end());
+    }
+    return S;
+}
+
+}  // namespace pfem

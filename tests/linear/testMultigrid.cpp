@@ -1,0 +1,161 @@
+// Multigrid for the pressures of [K B; B^T -M] against a direct factor.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "base/error.hpp"
+#include "linear/dissectedLdlt.hpp"
+#include "linear/multigridSolver.hpp"
+#include "linear/solvers.hpp"
+
+using namespace pfem;
+
+namespace {
+
+/// Pressures on m^3 places with the Laplacian of seven points and a little more on the diagonal; each place of the top
+/// layer has a velocity, of mass `light`; those of the bottom layer are an elastic sheet of stiffness `stiff`.
+struct Sample {
+    SymmetricMatrix A;
+    Places<3> place;
+    SaddleSizes sizes;
+};
+
+Sample cube(int m, double light, double stiff) {
+    const auto at = [m](int x, int y, int z) { return (z * m + y) * m + x; };
+    const int nP = m * m * m, layer = m * m;
+    Sample sample;
+    sample.sizes = {nP, layer};
+    std::vector<std::vector<int>> lower(nP + 2 * layer);
+    for (int z = 0; z < m; ++z)
+        for (int y = 0; y < m; ++y)
+            for (int x = 0; x < m; ++x) {
+                sample.place.push_back({x, y, z});
+                auto& rows = lower[at(x, y, z)];
+                if (x + 1 < m) rows.push_back(at(x + 1, y, z));
+                if (y + 1 < m) rows.push_back(at(x, y + 1, z));
+                if (z + 1 < m) rows.push_back(at(x, y, z + 1));
+                if (z == 0) rows.push_back(nP + at(x, y, 0));
+                if (z == m - 1) rows.push_back(nP + layer + at(x, y, 0));
+            }
+    for (const int z : {0, m - 1})
+        for (int y = 0; y < m; ++y)
+            for (int x = 0; x < m; ++x) {
+                sample.place.push_back({x, y, z});
+                if (z > 0) continue;
+                if (x + 1 < m) lower[nP + at(x, y, 0)].push_back(nP + at(x + 1, y, 0));
+                if (y + 1 < m) lower[nP + at(x, y, 0)].push_back(nP + at(x, y + 1, 0));
+            }
+    SymmetricMatrix& A = sample.A = symmetricPattern(lower);
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> weight(0.5, 1.5);
+    for (int j = 0; j < nP + layer; ++j) {
+        const double sign = j < nP ? 1 : -stiff;
+        A.add(j, j, 1e-3 * sign);
+        for (int s = A.start[j] + 1; s < A.start[j + 1]; ++s) {
+            const int i = A.row[s];
+            if (j < nP && i >= nP) {
+                A.add(i, j, weight(random));
+                continue;
+            }
+            const double w = sign * weight(random);
+            A.add(i, i, w);
+            A.add(j, j, w);
+            A.add(i, j, -w);
+        }
+    }
+    for (int j = nP + layer; j < A.n; ++j) A.add(j, j, -light);
+    return sample;
+}
+
+Eigen::VectorXd someRight(int n) {
+    Eigen::VectorXd b(n);
+    for (int i = 0; i < n; ++i) b[i] = std::sin(0.37 * i) + 0.2;
+    return b;
+}
+
+}  // namespace
+
+class MultigridOnCube : public testing::Test {
+protected:
+    void SetUp() override {
+        if (!hasMultigrid()) GTEST_SKIP() << "a build without PETSc";
+    }
+};
+
+/// All unknowns, right-hand sides of velocities included; soft sheets (stiffness 0.01) are the harder ones.
+TEST_F(MultigridOnCube, agreesWithTheFactor) {
+    for (const double stiff : {100.0, 1.0, 0.01}) {
+        const Sample s = cube(10, 0.3, stiff);
+        const auto direct = dissectedSolver<3>(s.A, s.place, Precision::twofold);
+        const auto multigrid = multigridSolver<3>(s.A, s.place, s.sizes, 1e-12);
+        for (auto* solver : {direct.get(), multigrid.get()}) {
+            solver->analyse(s.A);
+            solver->factor(s.A);
+        }
+        const Eigen::VectorXd b = someRight(s.A.n), x = direct->solve(b);
+        EXPECT_LT((multigrid->solve(b) - x).norm(), 1e-8 * x.norm()) << "stiffness " << stiff;
+        EXPECT_LT((s.A.multiply(x) - b).norm(), 1e-10 * b.norm());
+    }
+}
+
+/// From 512 to 32768 pressures the same number of iterations but for two.
+TEST_F(MultigridOnCube, iterationsDoNotGrowWithTheSize) {
+    std::vector<int> iterations;
+    for (const int m : {8, 16, 32}) {
+        const Sample s = cube(m, 0.3, 1);
+        Multigrid levels(1e-6);
+        const Saddle saddle = split(s.A, {s.sizes.nPressures, 0});
+        levels.setUp(eliminateDiagonal(saddle));
+        levels.solve(someRight(s.sizes.nPressures));
+        iterations.push_back(levels.iterations());
+    }
+    EXPECT_LE(iterations[2], iterations[0] + 4) << iterations[0] << ", " << iterations[1] << ", " << iterations[2];
+    EXPECT_LE(iterations[2], 15);
+}
+
+TEST_F(MultigridOnCube, repeatsItsBits) {
+    const Sample s = cube(12, 0.3, 1);
+    Eigen::VectorXd x[2];
+    for (Eigen::VectorXd& each : x) {
+        const auto solver = multigridSolver<3>(s.A, s.place, s.sizes, 1e-3);
+        solver->analyse(s.A);
+        solver->factor(s.A);
+        each = solver->solve(someRight(s.A.n));
+    }
+    EXPECT_EQ(x[0], x[1]);
+}
+
+TEST_F(MultigridOnCube, saysThatItDoesNotConverge) {
+    Sample s = cube(6, 0.3, 1);
+    for (int j = 0; j < s.sizes.nPressures; ++j) s.A.add(j, j, -8);  // no longer definite
+    const auto solver = multigridSolver<3>(s.A, s.place, s.sizes, 1e-10);
+    solver->analyse(s.A);
+    EXPECT_THROW(
+        {
+            solver->factor(s.A);
+            solver->solve(someRight(s.A.n));
+        },
+        StepFailure);
+}
+
+/// K + B diag(M)^{-1} B^T by dense matrices.
+TEST(Saddle, eliminatesDiagonalVelocities) {
+    const Sample s = cube(3, 0.3, 1);
+    const int nP = s.sizes.nPressures, nV = s.A.n - nP;
+    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(s.A.n, s.A.n);
+    for (int j = 0; j < s.A.n; ++j)
+        for (int k = s.A.start[j]; k < s.A.start[j + 1]; ++k) A(s.A.row[k], j) = A(j, s.A.row[k]) = s.A.value[k];
+    const Eigen::MatrixXd B = A.topRightCorner(nP, nV);
+    const Eigen::VectorXd M = -A.diagonal().tail(nV);
+    const Eigen::MatrixXd expected = A.topLeftCorner(nP, nP) + B * M.cwiseInverse().asDiagonal() * B.transpose();
+    const SparseRows S = eliminateDiagonal(split(s.A, s.sizes));
+    Eigen::MatrixXd found = Eigen::MatrixXd::Zero(nP, nP);
+    for (int i = 0; i < nP; ++i)
+        for (int k = S.start[i]; k < S.start[i + 1]; ++k) {
+            found(i, S.column[k]) += S.value[k];
+            if (k > S.start[i]) EXPECT_LT(S.column[k - 1], S.column[k]);
+        }
+    EXPECT_LT((found - expected).norm(), 1e-13 * expected.norm());
+}
