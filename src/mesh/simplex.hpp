@@ -30,20 +30,23 @@ template <int Dim>
 SimplexGeometry<Dim> simplexGeometry(const Points<Dim>& x, const Simplex<Dim>& s) {
     Tensor<Dim> J;
     for (int k = 0; k < Dim; ++k) J.col(k) = x[s[k + 1]] - x[s[0]];
-    const double det = J.determinant();
     SimplexGeometry<Dim> g;
+    Vec<Dim> first;  // row of the adjugate: this is the innermost loop of all
+    if constexpr (Dim == 3) first = J.col(1).cross(J.col(2));
+    const double det = Dim == 2 ? J.determinant() : J.col(0).dot(first);
     g.measure = det / (Dim == 2 ? 2.0 : 6.0);
     if (det == 0.0) {
         g.gradN.fill(Vec<Dim>::Zero());
         return g;
     }
-    if constexpr (Dim == 2) {  // the adjugate: this is the innermost loop of all
-        const double scale = 1 / det;
+    const double scale = 1 / det;
+    if constexpr (Dim == 2) {
         g.gradN[1] = {J(1, 1) * scale, -J(0, 1) * scale};
         g.gradN[2] = {-J(1, 0) * scale, J(0, 0) * scale};
     } else {
-        const Tensor<Dim> inverse = J.inverse();
-        for (int k = 0; k < Dim; ++k) g.gradN[k + 1] = inverse.row(k).transpose();
+        g.gradN[1] = scale * first;
+        g.gradN[2] = scale * J.col(2).cross(J.col(0));
+        g.gradN[3] = scale * J.col(0).cross(J.col(1));
     }
     g.gradN[0].setZero();
     for (int k = 0; k < Dim; ++k) g.gradN[0] -= g.gradN[k + 1];
@@ -58,8 +61,8 @@ double sliverFactor(const SimplexGeometry<Dim>& g) {
     if constexpr (Dim == 2) return 1;
     double steepest = 0;
     for (const auto& gradN : g.gradN) steepest = std::max(steepest, gradN.squaredNorm());
-    const double volume = std::abs(g.measure), q = std::cbrt(volume * volume) * steepest;
-    return q > 4 ? std::pow(4 / q, 1.5) : 1;
+    const double cubeOfQ = g.measure * g.measure * steepest * steepest * steepest;
+    return cubeOfQ > 64 ? 8 / std::sqrt(cubeOfQ) : 1;
 }
 
 /// Is the simplex such a sliver?
@@ -88,13 +91,12 @@ bool holds(const Points<Dim>& x, const Simplex<Dim>& s, const Vec<Dim>& point) {
         const double bc = b[0] * c[1] - b[1] * c[0], ca = c[0] * a[1] - c[1] * a[0], ab = a[0] * b[1] - a[1] * b[0];
         const double det = bc + ca + ab;
         return det > 0 && bc >= -1e-12 * det && ca >= -1e-12 * det && ab >= -1e-12 * det;
-    } else {
-        const auto g = simplexGeometry<Dim>(x, s);
-        if (!(g.measure > 0)) return false;
-        for (int k = 0; k <= Dim; ++k)
-            // N_k = grad N_k . (point - any node of the face opposite to k)
-            if (g.gradN[k].dot(point - x[s[(k + 1) % (Dim + 1)]]) < -1e-12) return false;
-        return true;
+    } else {  // six times the volumes with the point in the place of each node
+        const Vec<3> a = x[s[0]] - point, b = x[s[1]] - point, c = x[s[2]] - point, d = x[s[3]] - point;
+        const Vec<3> ab = a.cross(b), cd = c.cross(d);
+        const double parts[] = {b.dot(cd), -a.dot(cd), ab.dot(d), -ab.dot(c)};
+        const double det = (parts[0] + parts[1]) + (parts[2] + parts[3]);
+        return det > 0 && *std::min_element(parts, parts + 4) >= -1e-12 * det;
     }
 }
 

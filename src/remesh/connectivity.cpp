@@ -142,9 +142,26 @@ private:
                circumradius<Dim>(nodes_.x, s) < controls_.expert.newContactRadius * meanSize<Dim>(nodes_, s);
     }
 
-    /// Does the moved old mesh hold the point? Mostly in a cell of one of the triangle's own nodes.
+    /// The old cell with the same nodes, or -1.
+    int oldCell(const Simplex<Dim>& s) const {
+        const NodeToCells& around = moved_.topology.fluid;
+        const int first = nodes_.old[s[0]];
+        if (first < 0) return -1;
+        for (int slot = around.start[first]; slot < around.start[first + 1]; ++slot) {
+            const Simplex<Dim>& cell = moved_.fluid[around.cell[slot]];
+            const auto has = [&](int node) {
+                return std::find(cell.begin(), cell.end(), nodes_.old[node]) != cell.end();
+            };
+            if (std::all_of(s.begin() + 1, s.end(), has)) return around.cell[slot];
+        }
+        return -1;
+    }
+
+    /// Does the moved old mesh hold the point? Mostly in the same cell, else in one of the nodes' own.
     bool wasFluid(const Simplex<Dim>& s, const Vec<Dim>& centre) const {
         const NodeToCells& around = moved_.topology.fluid;
+        const int same = oldCell(s);
+        if (same >= 0 && holds<Dim>(moved_.x, moved_.fluid[same], centre)) return true;
         for (int node : s) {
             const int old = nodes_.old[node];
             if (old < 0) continue;
