@@ -123,6 +123,20 @@ void writeColumn(const PressureColumn<Dim>& column, int i, const Parts<Dim>& par
         }
 }
 
+/// What the Laplacian of each cell counts in K_p: tau and the Schur term.
+template <int Dim>
+std::vector<double> laplacianWeights(const Parts<Dim>& parts) {
+    const Cells<Dim>& cells = parts.phase.cells;
+    std::vector<double> weights(cells.size());
+    parallelFor(cells.size(), [&](int e) {
+        const double rho = parts.step.problem.fluid(cells.material[e]).rho;
+        const double schur = sliverFactor<Dim>(parts.phase.domains.element[e]) * parts.step.dt() / rho;
+        const double unprojected = parts.stabilisation.tau[e] + parts.controls.schurScale * schur;
+        weights[e] = parts.stabilisation.projected[e] ? std::max(unprojected, schur) : unprojected;
+    });
+    return weights;
+}
+
 /// K_p without its face terms, and B: each pressure gathers from the cells around it.
 template <int Dim>
 void addCells(const Parts<Dim>& parts, SymmetricMatrix& A) {
@@ -130,6 +144,7 @@ void addCells(const Parts<Dim>& parts, SymmetricMatrix& A) {
     const Cells<Dim>& cells = parts.phase.cells;
     const NodeToCells& around = topology.fluid;
     const double dt = parts.step.dt();
+    const std::vector<double> laplacian = laplacianWeights<Dim>(parts);
 #pragma omp parallel if (cells.size() > shortLoop)
     {
         PressureColumn<Dim> column;
@@ -142,13 +157,10 @@ void addCells(const Parts<Dim>& parts, SymmetricMatrix& A) {
                 const int e = around.cell[s], k = around.corner[s];
                 const ViscousFluid& fluid = parts.step.problem.fluid(cells.material[e]);
                 const auto& g = parts.phase.domains.element[e];
-                const double tauE = parts.stabilisation.tau[e], schur = sliverFactor<Dim>(g) * dt / fluid.rho;
-                const double unprojected = tauE + parts.controls.schurScale * schur;
-                const double laplacian = parts.stabilisation.projected[e] ? std::max(unprojected, schur) : unprojected;
                 const double share = g.measure / (Dim + 1);
                 for (int l = 0; l <= Dim; ++l) {
                     const int at = column.at[cells.nodes[e][l]];
-                    column.K[at] += laplacian * g.measure * g.gradN[k].dot(g.gradN[l]);
+                    column.K[at] += laplacian[e] * g.measure * g.gradN[k].dot(g.gradN[l]);
                     if (l == k) column.K[at] += share / (fluid.kappa * dt);
                     column.B[at] += share * g.gradN[l];
                 }

@@ -135,6 +135,26 @@ std::string whereBroken(const std::filesystem::path& file, bool onlyStrings) {
     return array.empty() ? "" : "array '" + array + "' is ";
 }
 
+/// With a reader of VTK's XML files; there are points.
+template <class Data, class Reader>
+vtkSmartPointer<Data> readData(const std::filesystem::path& file, const vtkNew<Reader>& reader) {
+    VtkErrors errors;
+    reader->AddObserver(vtkCommand::ErrorEvent, errors.observer());
+    reader->SetReaderErrorObserver(errors.observer());
+    reader->SetParserErrorObserver(errors.observer());
+    reader->SetFileName(file.c_str());
+    try {
+        reader->Update();
+    } catch (const std::exception& error) {  // sizes that no memory can hold
+        fail("cannot read", file, std::string("truncated or corrupt (") + error.what() + ")");
+    }
+    if (!errors.message().empty() || reader->GetErrorCode() != vtkErrorCode::NoError)
+        fail("cannot read", file, whereBroken(file, false) + "truncated or corrupt (" + errors.message() + ")");
+    Data* data = reader->GetOutput();
+    if (data == nullptr || data->GetPoints() == nullptr) fail("cannot read", file, "array 'Points' is missing");
+    return data;
+}
+
 }  // namespace
 
 void writeGrid(const std::filesystem::path& file, vtkUnstructuredGrid* grid) {
@@ -148,23 +168,9 @@ void writePolyData(const std::filesystem::path& file, vtkPolyData* surface) {
 vtkSmartPointer<vtkUnstructuredGrid> readGrid(const std::filesystem::path& file) {
     if (!std::filesystem::is_regular_file(file))
         throw UserError("cannot find file \"" + file.string() + "\"", {file.string(), 0});
-    VtkErrors errors;
     if (const auto array = whereBroken(file, true); !array.empty())  // too many strings: VTK writes behind its memory
         fail("cannot read", file, array + "truncated or corrupt");
-    auto reader = vtkSmartPointer<vtkXMLUnstructuredGridReader>::New();
-    reader->AddObserver(vtkCommand::ErrorEvent, errors.observer());
-    reader->SetReaderErrorObserver(errors.observer());
-    reader->SetParserErrorObserver(errors.observer());
-    reader->SetFileName(file.c_str());
-    try {
-        reader->Update();
-    } catch (const std::exception& error) {  // sizes that no memory can hold
-        fail("cannot read", file, std::string("truncated or corrupt (") + error.what() + ")");
-    }
-    if (!errors.message().empty() || reader->GetErrorCode() != vtkErrorCode::NoError)
-        fail("cannot read", file, whereBroken(file, false) + "truncated or corrupt (" + errors.message() + ")");
-    vtkUnstructuredGrid* grid = reader->GetOutput();
-    if (grid == nullptr || grid->GetPoints() == nullptr) fail("cannot read", file, "array 'Points' is missing");
+    const auto grid = readData<vtkUnstructuredGrid>(file, vtkNew<vtkXMLUnstructuredGridReader>());
     if (vtkCellArray* cells = grid->GetCells(); cells != nullptr)
         if (!cells->IsValid() || cells->GetNumberOfCells() != grid->GetNumberOfCells() ||
             (grid->GetNumberOfCells() > 0 &&
@@ -175,22 +181,7 @@ vtkSmartPointer<vtkUnstructuredGrid> readGrid(const std::filesystem::path& file)
 }
 
 vtkSmartPointer<vtkPolyData> readPolyData(const std::filesystem::path& file) {
-    VtkErrors errors;
-    auto reader = vtkSmartPointer<vtkXMLPolyDataReader>::New();
-    reader->AddObserver(vtkCommand::ErrorEvent, errors.observer());
-    reader->SetReaderErrorObserver(errors.observer());
-    reader->SetParserErrorObserver(errors.observer());
-    reader->SetFileName(file.c_str());
-    try {
-        reader->Update();
-    } catch (const std::exception& error) {  // sizes that no memory can hold
-        fail("cannot read", file, std::string("truncated or corrupt (") + error.what() + ")");
-    }
-    if (!errors.message().empty() || reader->GetErrorCode() != vtkErrorCode::NoError)
-        fail("cannot read", file, "truncated or corrupt (" + errors.message() + ")");
-    vtkPolyData* data = reader->GetOutput();
-    if (data == nullptr || data->GetPoints() == nullptr) fail("cannot read", file, "array 'Points' is missing");
-    return data;
+    return readData<vtkPolyData>(file, vtkNew<vtkXMLPolyDataReader>());
 }
 
 }  // namespace pfem

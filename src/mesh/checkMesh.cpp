@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 
 #include "mesh/bins.hpp"
 #include "mesh/distance.hpp"
 #include "mesh/simplex.hpp"
-#include "mesh/wallSupports.hpp"
 
 namespace pfem {
 
@@ -92,8 +90,8 @@ std::vector<Face<Dim>> obstacles(const Mesh<Dim>& mesh, const Topology<Dim>& top
 }
 
 template <int Dim>
-void findGaps(const Mesh<Dim>& mesh, const std::vector<FluidFace<Dim>>& faces, const Topology<Dim>& topology,
-              const Points<Dim>& x, const std::vector<double>& h, std::vector<MeshFault<Dim>>& gaps) {
+void findGaps(const Mesh<Dim>& mesh, const Topology<Dim>& topology, const Points<Dim>& x, const std::vector<double>& h,
+              std::vector<MeshFault<Dim>>& gaps) {
     const auto solid = obstacles<Dim>(mesh, topology);
     double size = 0;
     for (const double one : h) size = std::max(size, one);
@@ -103,7 +101,7 @@ void findGaps(const Mesh<Dim>& mesh, const std::vector<FluidFace<Dim>>& faces, c
         for (const int i : solid[k]) low = low.cwiseMin(x[i]).eval(), high = high.cwiseMax(x[i]).eval();
         bins.add(static_cast<int>(k), low, high);
     }
-    for (const auto& face : faces) {
+    for (const auto& face : topology.faces) {
         if (face.kind != FaceKind::freeSurface) continue;
         Vec<Dim> middle = Vec<Dim>::Zero(), low = x[face.nodes[0]], high = low;
         for (const int i : face.nodes) {
@@ -134,26 +132,6 @@ int countPieces(const std::vector<FluidFace<Dim>>& faces) {
         std::count_if(parent.begin(), parent.end(), [](const auto& p) { return p.first == p.second; }));
 }
 
-/// In space a face lies on a wall where all its nodes do, on sides with one normal: that of the face.
-void findWalls(const Mesh<3>& mesh, const Topology<3>& topology, const Points<3>& x, const std::vector<double>& h,
-               std::vector<FluidFace<3>>& faces) {
-    std::vector<bool> isWall(mesh.patches.size(), false);
-    for (const auto& wall : topology.walls)
-        if (wall.patch >= 0) isWall[wall.patch] = true;
-    double least = std::numeric_limits<double>::max();
-    for (const double one : h) least = std::min(least, one > 0 ? one : least);
-    const WallSupports<3> walls(mesh.patches, isWall, x, 1e-6 * least);
-    for (auto& face : faces) {
-        if (face.kind == FaceKind::interface) continue;
-        const Vec<3> normal = faceArea<3>(x, face.nodes).normalized();
-        const bool onWall = std::all_of(face.nodes.begin(), face.nodes.end(), [&](int i) {
-            const auto normals = walls.normalsAt(x[i]);
-            return std::any_of(normals.begin(), normals.end(), [&](const Vec<3>& n) { return n.dot(normal) > 0.9; });
-        });
-        face.kind = onWall ? FaceKind::wall : FaceKind::freeSurface;
-    }
-}
-
 }  // namespace
 
 template <int Dim>
@@ -165,16 +143,14 @@ MeshCheck<Dim> checkMesh(const Mesh<Dim>& mesh, const Topology<Dim>& topology, c
     findCrowdedFaces<Dim>(x, mesh.fluid.nodes, check.faults);
     findCrowdedFaces<Dim>(x, mesh.solid.nodes, check.faults);
     findTwins<Dim>(mesh, x, h, check.faults);
-    auto faces = topology.faces;
-    if constexpr (Dim == 3) findWalls(mesh, topology, x, h, faces);
-    findGaps<Dim>(mesh, faces, topology, x, h, check.gaps);
-    for (const auto& face : faces) {
+    findGaps<Dim>(mesh, topology, x, h, check.gaps);
+    for (const auto& face : topology.faces) {
         const double measure = faceArea<Dim>(x, face.nodes).norm();
         (face.kind == FaceKind::freeSurface ? check.freeSurface
          : face.kind == FaceKind::wall      ? check.wetWalls
                                             : check.interface) += measure;
     }
-    check.pieces = countPieces<Dim>(faces);
+    check.pieces = countPieces<Dim>(topology.faces);
     return check;
 }
 

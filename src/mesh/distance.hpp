@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Geometry>
-
-#include "base/types.hpp"
+#include "mesh/onFace.hpp"
 
 namespace pfem {
 
@@ -29,10 +27,10 @@ double distanceToFace(const Points<Dim>& x, const Face<Dim>& face, const Vec<Dim
     if constexpr (Dim == 2) {
         return distanceToSegment<2>(x[face[0]], x[face[1]], point);
     } else {  // within the triangle from its plane, else from the nearest edge
-        const Vec<3> a = x[face[0]], b = x[face[1]] - a, c = x[face[2]] - a, n = b.cross(c), d = point - a;
-        const double area = n.squaredNorm(), s = d.cross(c).dot(n),
-                     t = b.cross(d).dot(n);  // weights of b and c, times area
-        if (area > 0 && s >= 0 && t >= 0 && s + t <= area) return std::abs(d.dot(n)) / std::sqrt(area);
+        if (isWithin<3>(footWeights<3>(x, face, point))) {
+            const Vec<3> a = x[face[0]], n = (x[face[1]] - a).cross(x[face[2]] - a);
+            return std::abs(n.dot(point - a)) / n.norm();
+        }
         double nearest = distanceToSegment<3>(x[face[0]], x[face[1]], point);
         for (const int k : {1, 2})
             nearest = std::min(nearest, distanceToSegment<3>(x[face[k]], x[face[(k + 1) % 3]], point));

@@ -15,9 +15,7 @@ Vec<Dim> nearestWeights(const Points<Dim>& x, const Face<Dim>& face, const Vec<D
         const double w = nearestWeight<2>(x[face[0]], x[face[1]], point);
         return {1 - w, w};
     } else {  // the foot on the plane when it is within the triangle, else on the nearest edge
-        const Vec<3> a = x[face[0]], b = x[face[1]] - a, c = x[face[2]] - a, n = b.cross(c), d = point - a;
-        const double area = n.squaredNorm(), s = d.cross(c).dot(n) / area, t = b.cross(d).dot(n) / area;
-        if (area > 0 && s >= 0 && t >= 0 && s + t <= 1) return {1 - s - t, s, t};
+        if (const Vec<3> foot = footWeights<3>(x, face, point); isWithin<3>(foot)) return foot;
         Vec<3> best = Vec<3>::Zero();
         double nearest = std::numeric_limits<double>::infinity();
         for (int k = 0; k < 3; ++k) {

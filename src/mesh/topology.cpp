@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include "mesh/distance.hpp"
 #include "mesh/simplex.hpp"
+#include "mesh/wallBins.hpp"
 
 namespace pfem {
 
@@ -35,18 +35,12 @@ std::set<Face<Dim>> symmetryFaces(const Mesh<Dim>& mesh, const std::vector<Patch
 /// Walls that the nodes of solids' faces touch, to a millionth of the face's size.
 template <int Dim>
 void findTouching(const Mesh<Dim>& mesh, const Points<Dim>& x, Topology<Dim>& t) {
+    if (mesh.solid.nodes.empty()) return;
+    const WallBins<Dim> walls(t.walls, x);
     for (const auto& face : boundaryFaces<Dim>(mesh.solid.nodes, t.solid)) {
         const double near = 1e-6 * (x[face.nodes[1]] - x[face.nodes[0]]).norm();
-        for (const int node : face.nodes) {
-            if (isSupported(t.supports[node])) continue;
-            for (int w = 0; w < static_cast<int>(t.walls.size()); ++w) {
-                if (t.walls[w].patch < 0 || distanceToFace<Dim>(x, t.walls[w].nodes, x[node]) > near) continue;
-                const auto& own = t.supports[node];
-                const bool known = std::any_of(own.begin(), own.end(),
-                                               [&](int f) { return f >= 0 && t.walls[f].region == t.walls[w].region; });
-                if (!known) addSupport(t.supports[node], w);
-            }
-        }
+        for (const int node : face.nodes)
+            if (!isSupported(t.supports[node])) t.supports[node] = walls.supportsAt(x[node], near);
     }
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 
 #include "mesh/distance.hpp"
@@ -24,7 +23,9 @@ Edge<Dim> edgeOpposite(const Face<Dim>& face, int k) {
     return edge;
 }
 
+template <int Dim>
 struct Side {
+    Edge<Dim> edge;
     int face, node;  // the node opposite to the edge, local
 };
 
@@ -33,7 +34,7 @@ template <int Dim>
 Bend bendOf(const WallFace<Dim>& a, const WallFace<Dim>& b, int farNode, const Points<Dim>& x) {
     const Vec<Dim> n = inwardNormal<Dim>(x, a.nodes), m = inwardNormal<Dim>(x, b.nodes);
     if (n.dot(m) > std::cos(featureAngle * M_PI / 180)) return Bend::smooth;
-    return n.dot(x[b.nodes[farNode]] - x[a.nodes[(0)]]) > 0 ? Bend::concave : Bend::convex;
+    return n.dot(x[b.nodes[farNode]] - x[a.nodes[0]]) > 0 ? Bend::concave : Bend::convex;
 }
 
 int root(std::vector<int>& parent, int i) {
@@ -41,14 +42,16 @@ int root(std::vector<int>& parent, int i) {
     return i;
 }
 
+/// Join the faces at one edge, whose sides begin at `first`.
 template <int Dim>
-void joinAt(const std::vector<Side>& sides, const Points<Dim>& x, std::vector<WallFace<Dim>>& walls,
+void joinAt(const Side<Dim>* first, std::ptrdiff_t count, const Points<Dim>& x, std::vector<WallFace<Dim>>& walls,
             std::vector<int>& parent) {
-    if (sides.size() == 1) return;
-    for (const Side& side : sides) walls[side.face].bend[side.node] = Bend::concave;  // of three and more: a fork
-    if (sides.size() > 2) return;
+    if (count == 1) return;
+    for (std::ptrdiff_t k = 0; k < count; ++k)
+        walls[first[k].face].bend[first[k].node] = Bend::concave;  // of three and more: a fork
+    if (count > 2) return;
     for (const int k : {0, 1}) {
-        const Side &own = sides[k], &other = sides[1 - k];
+        const Side<Dim>&own = first[k], &other = first[1 - k];
         auto& face = walls[own.face];
         face.next[own.node] = other.face;
         face.bend[own.node] = bendOf<Dim>(face, walls[other.face], other.node, x);
@@ -58,20 +61,45 @@ void joinAt(const std::vector<Side>& sides, const Points<Dim>& x, std::vector<Wa
     }
 }
 
+/// Join the faces of walls at their edges; `parent`: the regions that this makes.
+template <int Dim>
+void joinFaces(const Points<Dim>& x, std::vector<WallFace<Dim>>& walls, std::vector<int>& parent) {
+    std::vector<Side<Dim>> sides;
+    for (int w = 0; w < static_cast<int>(walls.size()); ++w)
+        for (int node = 0; walls[w].patch >= 0 && node < Dim; ++node)
+            sides.push_back({edgeOpposite<Dim>(walls[w].nodes, node), w, node});
+    std::stable_sort(sides.begin(), sides.end(), [](const auto& a, const auto& b) { return a.edge < b.edge; });
+    for (auto first = sides.begin(); first != sides.end();) {
+        const auto end = std::find_if(first, sides.end(), [&](const auto& side) { return side.edge != first->edge; });
+        joinAt<Dim>(&*first, end - first, x, walls, parent);
+        first = end;
+    }
+}
+
 /// Normals at the points of each region: those of its faces, by their measures.
 template <int Dim>
 void setNormals(const Points<Dim>& x, std::vector<int>& parent, std::vector<WallFace<Dim>>& walls) {
-    std::map<std::pair<int, int>, Vec<Dim>> sum;  // by region and point
+    struct Corner {
+        int region, point, face, node;  // node: local
+    };
+    std::vector<Corner> corners;
     for (int w = 0; w < static_cast<int>(walls.size()); ++w)
-        for (const int node : walls[w].nodes)
-            sum.emplace(std::pair(root(parent, w), node), Vec<Dim>::Zero()).first->second -=
-                faceArea<Dim>(x, walls[w].nodes);
-    for (int w = 0; w < static_cast<int>(walls.size()); ++w)
-        for (int k = 0; k < Dim; ++k) {
-            Vec<Dim>& normal = walls[w].normal[k];
-            normal = sum.at({root(parent, w), walls[w].nodes[k]}).normalized();
-            walls[w].bent |= (normal - inwardNormal<Dim>(x, walls[w].nodes)).norm() > 1e-9;
+        for (int k = 0; walls[w].patch >= 0 && k < Dim; ++k)
+            corners.push_back({root(parent, w), walls[w].nodes[k], w, k});
+    std::stable_sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
+        return std::pair(a.region, a.point) < std::pair(b.region, b.point);
+    });
+    for (auto first = corners.begin(); first != corners.end();) {
+        Vec<Dim> sum = Vec<Dim>::Zero();
+        auto end = first;
+        for (; end != corners.end() && end->region == first->region && end->point == first->point; ++end)
+            sum -= faceArea<Dim>(x, walls[end->face].nodes);
+        for (; first != end; ++first) {
+            auto& face = walls[first->face];
+            face.normal[first->node] = sum.normalized();
+            face.bent |= (face.normal[first->node] - inwardNormal<Dim>(x, face.nodes)).norm() > 1e-9;
         }
+    }
 }
 
 /// Nearest point of a face, and whether it lies on the edge opposite to a node and the point beyond it; else -1.
@@ -112,18 +140,16 @@ template <int Dim>
 std::vector<WallFace<Dim>> wallFaces(const std::vector<Patch<Dim>>& patches, const std::vector<bool>& isWall,
                                      const Points<Dim>& x) {
     std::vector<WallFace<Dim>> walls;
-    std::map<Edge<Dim>, std::vector<Side>> sides;
     for (std::size_t k = 0; k < patches.size(); ++k)
         for (const auto& nodes : patches[k].faces) {
             WallFace<Dim> face{nodes, isWall[k] ? static_cast<int>(k) : -1};
             face.next.fill(-1);
-            for (int node = 0; isWall[k] && node < Dim; ++node)
-                sides[edgeOpposite<Dim>(nodes, node)].push_back({static_cast<int>(walls.size()), node});
+            face.normal.fill(Vec<Dim>::Zero());
             walls.push_back(face);
         }
     std::vector<int> parent(walls.size());
     std::iota(parent.begin(), parent.end(), 0);
-    for (const auto& [edge, around] : sides) joinAt<Dim>(around, x, walls, parent);
+    joinFaces<Dim>(x, walls, parent);
     setNormals<Dim>(x, parent, walls);
     int nRegions = 0;
     for (std::size_t w = 0; w < walls.size(); ++w) {
@@ -157,14 +183,6 @@ struct Curve {
     Vec<2> slope(double s) const { return 6 * s * (1 - s) * d + (1 - s) * (1 - 3 * s) * Ta + s * (3 * s - 2) * Tb; }
 };
 
-/// Weights of a face's nodes at a point of it (3D), none below zero.
-Vec<3> weightsOn(const Points<3>& x, const Face<3>& face, const Vec<3>& point) {
-    const Vec<3> a = x[face[0]], b = x[face[1]] - a, c = x[face[2]] - a, n = b.cross(c), p = point - a;
-    const double s = p.cross(c).dot(n) / n.squaredNorm(), t = b.cross(p).dot(n) / n.squaredNorm();
-    const Vec<3> w = Vec<3>(1 - s - t, s, t).cwiseMax(0.0);
-    return w / w.sum();
-}
-
 /// The point of the curved face nearest to the one that is nearest on the straight face. 3D: x = sum w_i (f - n_i n_i .
 /// (f - x_i)/2) over the foot f = sum w_i x_i, the parabola between two nodes.
 template <int Dim>
@@ -185,7 +203,7 @@ void bend(const WallFace<Dim>& face, const Points<Dim>& x, const Vec<Dim>& point
         const Vec<3> flat = place.x;
         Vec<3> q = flat;
         for (int k = 0; k < 5; ++k) {  // the place over whose foot the point is
-            const Vec<3> w = weightsOn(x, face.nodes, q);
+            const Vec<3> positive = footWeights<3>(x, face.nodes, q).cwiseMax(0.0), w = positive / positive.sum();
             Vec<3> foot = Vec<3>::Zero(), off = Vec<3>::Zero();
             place.normal.setZero();
             for (int i = 0; i < 3; ++i) foot += w[i] * x[face.nodes[i]];

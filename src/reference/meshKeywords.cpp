@@ -1,18 +1,12 @@
-#include "reference/keywords.hpp"
+#include "reference/meshEntries.hpp"
 
 namespace pfem {
 
 // What mesher/readMeshDict.cpp reads; a test compares the names.
 std::vector<KeywordTable> meshKeywords() {
     const std::string file = "system/meshDict";
-    const EntryDescription size{
-        "meshSize", "scalar", "m", "that of the dictionary above", "wanted length of the triangles' edges", "> 0"};
-    const EntryDescription arcs{"edges",
-                                "list of arc",
-                                "m",
-                                "()",
-                                "curved edges: arc 0 1 (x y), a circular arc from vertex 0 to 1 through a point",
-                                ""};
+    using namespace meshEntries;
+    const EntryDescription size = meshEntries::size("triangles"), arcs = meshEntries::arcs("");
     return {
         {file,
          "",
@@ -32,33 +26,29 @@ std::vector<KeywordTable> meshKeywords() {
            ""},
           {"scale", "scalar", "-", "1", "from the lengths of meshFile to metres", "> 0"},
           {"cellArray", "word", "-", "material", "of a .vtu: the cells' integer array that numbers the groups", ""}}},
-        {file,
-         "bodies: each",
-         "Bodies that touch share their nodes.",
-         {{"type", "word", "-", "required", "fluid or solid", "one of: fluid solid"},
-          {"material", "word", "-", "required", "a name of constant/materials", ""},
-          {"vertices", "list of points", "m", "required",
-           "corners (x y), counter-clockwise, numbered from 0; those within 1e-6 meshSize are one, and of those finer "
-           "than half of it only what shows at that size is kept (within 0.05 of it)",
-           ""},
-          arcs,
-          size,
-          {"velocity", "point", "m/s", "(0 0)", "initial velocity; of the place: expression (\"-2*y\" \"2*x\")", ""},
-          {"pattern", "word", "-", "unstructured", "regular meshes are for bodies with four vertices",
-           "one of: unstructured checkerboard oneWay crossed"},
-          {"cells", "list of int", "-", "from meshSize", "of a pattern: cells along the edges 0-1 and 1-2", ">= 1"},
-          {"holes", "list of word", "-", "()",
-           "bodies whose outlines are cut out of this one; they may touch its outline and each other", ""},
-          {"group", "word", "-", "the body's name",
-           "with meshFile, instead of vertices: its group of triangles; \"surface 2\": an entity in no physical group",
-           ""},
-          {"patches", "dictionaries", "-", "optional",
-           "parts of the outline that constant/boundaryConditions speaks of", ""}}},
+        {file, "bodies: each", "Bodies that touch share their nodes.",
+         joined(
+             bodyRows(),
+             {{"vertices", "list of points", "m", "required",
+               "corners (x y), counter-clockwise, numbered from 0; those within 1e-6 meshSize are one, and of those "
+               "finer "
+               "than half of it only what shows at that size is kept (within 0.05 of it)",
+               ""},
+              arcs,
+              size,
+              velocity("(0 0)", "\"-2*y\" \"2*x\""),
+              {"pattern", "word", "-", "unstructured", "regular meshes are for bodies with four vertices",
+               "one of: unstructured checkerboard oneWay crossed"},
+              {"cells", "list of int", "-", "from meshSize", "of a pattern: cells along the edges 0-1 and 1-2", ">= 1"},
+              {"holes", "list of word", "-", "()",
+               "bodies whose outlines are cut out of this one; they may touch its outline and each other", ""},
+              group("body", "vertices", "triangles; \"surface 2\": an entity in no physical group"),
+              patches("outline")})},
         {file,
          "bodies: patches: each",
          "A part of the body's outline.",
          {{"edges", "list of pairs", "-", "required", "edges by their two vertices: ((3 0))", ""},
-          {"group", "word", "-", "the patch's name", "with meshFile, instead of edges: its group of edges", ""}}},
+          group("patch", "edges", "edges")}},
         {file,
          "refinements: each",
          "Finer unstructured mesh there; it grows by 0.2 per distance away from it. Nodes keep their size as they "
@@ -69,17 +59,16 @@ std::vector<KeywordTable> meshKeywords() {
           {"min", "point", "m", "required", "of a box: lower left corner", ""},
           {"max", "point", "m", "required", "of a box: upper right corner", ""},
           {"points", "list of points", "m", "required", "of a curve: its corners (x y)", ""},
-          {"distance", "scalar", "m", "0", "of a curve: how far from it the size holds", ">= 0"}}},
+          distance("curve")}},
         {file,
          "walls: each",
          "A line with the fluid on its left.",
          {{"points", "list of points", "m", "required", "corners (x y)", ""},
           arcs,
           size,
-          {"group", "word", "-", "the wall's name", "with meshFile, instead of points: its group of edges", ""},
+          group("wall", "points", "edges"),
           {"closed", "bool", "-", "no", "join the last point to the first", ""},
-          {"moving", "bool", "-", "no", "it shares no corner with other walls, so that it can leave or slide over them",
-           ""}}},
+          moving("corner")}},
     };
 }
 

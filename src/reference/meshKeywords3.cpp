@@ -1,12 +1,11 @@
-#include "reference/keywords.hpp"
+#include "reference/meshEntries.hpp"
 
 namespace pfem {
 
 // What mesher/space/readSpaceDict.cpp and readGeometry.cpp read; a test compares the names.
 std::vector<KeywordTable> spaceMeshKeywords() {
     const std::string file = "system/meshDict";
-    const EntryDescription size{
-        "meshSize", "scalar", "m", "that of the dictionary above", "wanted length of the tetrahedra's edges", "> 0"};
+    using namespace meshEntries;
     return {
         {file,
          "in space: geometry: each",
@@ -35,8 +34,7 @@ std::vector<KeywordTable> spaceMeshKeywords() {
            "from 3 to 10000"},
           {"vertices", "list of points", "m", "required",
            "of extrude: a polygon (x y), counter-clockwise; with an axis (x r), (r y) or (r z)", ""},
-          {"edges", "list of arc", "m", "()",
-           "of extrude: curved edges: arc 0 1 (x y), a circular arc from vertex 0 to 1 through a point", ""},
+          arcs("of extrude: "),
           {"height", "scalar", "m", "required", "of extrude: along z; negative: downwards", ""},
           {"direction", "point", "m", "along z", "of extrude, instead of height: where the other end is", ""},
           {"from", "scalar", "m", "0", "of extrude: z of the first end", ""},
@@ -50,23 +48,18 @@ std::vector<KeywordTable> spaceMeshKeywords() {
            "of triSurfaceMesh: divide its faces where they include less than this, as surfaceFeatures: name_0, name_1, "
            "...",
            ""}}},
-        {file,
-         "in space: bodies: each",
-         "Bodies that touch share their nodes.",
-         {{"type", "word", "-", "required", "fluid or solid", "one of: fluid solid"},
-          {"material", "word", "-", "required", "a name of constant/materials", ""},
-          {"geometry", "words", "-", "required",
-           "a closed shape or a list of them, of which the body is the union; or a shape here: geometry { type box; "
-           "... }",
-           ""},
-          {"subtract", "words", "-", "()", "shapes that are cut out", ""},
-          {"intersect", "words", "-", "()", "shapes within which the body is kept", ""},
-          size,
-          {"velocity", "point", "m/s", "(0 0 0)", "initial velocity; of the place: expression (\"-2*y\" \"2*x\" \"0\")",
-           ""},
-          {"group", "word", "-", "the body's name", "with meshFile, instead of geometry: its group of tetrahedra", ""},
-          {"patches", "dictionaries", "-", "optional",
-           "parts of the surface that constant/boundaryConditions speaks of", ""}}},
+        {file, "in space: bodies: each", "Bodies that touch share their nodes.",
+         joined(bodyRows(), {{"geometry", "words", "-", "required",
+                              "a closed shape or a list of them, of which the body is the union; or a shape here: "
+                              "geometry { type box; "
+                              "... }",
+                              ""},
+                             {"subtract", "words", "-", "()", "shapes that are cut out", ""},
+                             {"intersect", "words", "-", "()", "shapes within which the body is kept", ""},
+                             size("tetrahedra"),
+                             velocity("(0 0 0)", "\"-2*y\" \"2*x\" \"0\""),
+                             group("body", "geometry", "tetrahedra"),
+                             patches("surface")})},
         {file,
          "in space: bodies: patches: each",
          "A part of the body's surface.",
@@ -75,7 +68,7 @@ std::vector<KeywordTable> spaceMeshKeywords() {
            "shape",
            ""},
           {"box", "two points", "m", "optional", "and what lies in it: box (0 0 0) (1 1 0)", ""},
-          {"group", "word", "-", "the patch's name", "with meshFile, instead of faces: its group of triangles", ""}}},
+          group("patch", "faces", "triangles")}},
         {file,
          "in space: walls: each",
          "A shape from its fluid side: a tank is a box without its lid.",
@@ -86,9 +79,8 @@ std::vector<KeywordTable> spaceMeshKeywords() {
            "lies at "
            "the start",
            "one of: automatic inside outside"},
-          {"group", "word", "-", "the wall's name", "with meshFile, instead of geometry: its group of triangles", ""},
-          {"moving", "bool", "-", "no", "it shares no point with other walls, so that it can leave or slide over them",
-           ""}}},
+          group("wall", "geometry", "triangles"),
+          moving("point")}},
         {file,
          "in space: refinements: each",
          "Finer mesh there; it grows by 0.2 per distance away from it. Nodes keep their size as they move.",
@@ -101,7 +93,7 @@ std::vector<KeywordTable> spaceMeshKeywords() {
           {"origin", "point", "m", "required", "of a sphere: its centre", ""},
           {"radius", "scalar", "m", "required", "of a sphere", "> 0"},
           {"geometry", "word", "-", "required", "of a surface: the shape", ""},
-          {"distance", "scalar", "m", "0", "of a surface: how far from it the size holds", ">= 0"}}},
+          distance("surface")}},
     };
 }
 

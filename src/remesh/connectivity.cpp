@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.hpp"
+#include "mesh/onFace.hpp"
 #include "mesh/simplex.hpp"
 
 namespace pfem {
@@ -284,25 +285,12 @@ private:
         for (int k = 0; k <= Dim; ++k) {
             const auto face = oppositeFace<Dim>(s, k);
             if (nodes_.onSolid[s[k]] || !isOnSolids(face)) continue;
-            const auto weight = weightsOn(face, nodes_.x[s[k]]);
+            const auto weight = footWeights<Dim>(nodes_.x, face, nodes_.x[s[k]]);
             for (int i = 0; i < Dim; ++i)
                 if (cells_[face[i]] == 1 && weight[i] < releasePlace) return true;
             return false;
         }
         return false;
-    }
-
-    /// The foot of a point on the plane of a face as a weighted mean of its nodes.
-    Vec<Dim> weightsOn(const Face<Dim>& face, const Vec<Dim>& point) const {
-        const Vec<Dim> a = nodes_.x[face[0]], b = nodes_.x[face[1]] - a, p = point - a;
-        if constexpr (Dim == 2) {
-            const double place = b.dot(p) / b.squaredNorm();
-            return {1 - place, place};
-        } else {
-            const Vec<3> c = nodes_.x[face[2]] - a, n = b.cross(c);
-            const double s = p.cross(c).dot(n) / n.squaredNorm(), t = b.cross(p).dot(n) / n.squaredNorm();
-            return {1 - s - t, s, t};
-        }
     }
 
     void change(std::size_t e, VolumeCause cause, int sign) {

@@ -47,12 +47,12 @@ Motion<Dim> move(const Problem<Dim>& problem, const Problem<Dim>& within, const 
                  const State<Dim>& last, AdvanceReport& report, State<Dim>& state) {
     Motion<Dim> motion;
     motion.dt = report.dt;
-    motion.topology = beginStep<Dim>(problem, state);
+    auto [topologyOfStep, constraints] = beginStep<Dim>(problem, report.dt, state);
+    motion.topology = std::move(topologyOfStep);
     const Topology<Dim>& topology = motion.topology;
     if (state.nodes.v != last.nodes.v)  // what has landed moves on as its wall allows
         state.energy.book(EnergyCause::remeshing,
                           fluidEnergy<Dim>(problem, state).total() - fluidEnergy<Dim>(problem, last).total());
-    const auto constraints = constraintsOver<Dim>(0, report.dt, problem, state, topology);
 
     MotionAccount<Dim> account(state);
     const double divTarget = volumeCorrection<Dim>(state, controls.continuity.volumeCorrectionTime, report.dt);

@@ -35,17 +35,21 @@ NodeConstraints<Dim> constraintsOver(double from, double to, const Problem<Dim>&
 }
 
 template <int Dim>
-Topology<Dim> beginStep(const Problem<Dim>& problem, State<Dim>& state) {
-    const auto& kinds = problem.conditions.kind;
-    auto topology = makeTopology<Dim>(state.mesh, kinds, state.nodes.x, state.nodes.wall);
-    obeyConstraints<Dim>(topology, constraintsOver<Dim>(0, 0, problem, state, topology), state.nodes);
-    return topology;
+StepStart<Dim> beginStep(const Problem<Dim>& problem, double dt, State<Dim>& state) {
+    const auto& conditions = problem.conditions;
+    StepStart<Dim> start;
+    start.topology = makeTopology<Dim>(state.mesh, conditions.kind, state.nodes.x, state.nodes.wall);
+    start.constraints = constraintsOver<Dim>(0, 0, problem, state, start.topology);
+    obeyConstraints<Dim>(start.topology, start.constraints, state.nodes);
+    if (conditions.anyMotion())  // else they are the same at all times
+        start.constraints = constraintsOver<Dim>(0, dt, problem, state, start.topology);
+    return start;
 }
 
 #define PFEM_INSTANTIATE(D)                                                                            \
     template NodeConstraints<D> constraintsOver<D>(double, double, const Problem<D>&, const State<D>&, \
                                                    const Topology<D>&);                                \
-    template Topology<D> beginStep<D>(const Problem<D>&, State<D>&);
+    template StepStart<D> beginStep<D>(const Problem<D>&, double, State<D>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

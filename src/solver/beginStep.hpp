@@ -10,8 +10,14 @@ template <int Dim>
 NodeConstraints<Dim> constraintsOver(double from, double to, const Problem<Dim>& problem, const State<Dim>& state,
                                      const Topology<Dim>& topology);
 
-/// The topology for a step and velocities that its start allows.
 template <int Dim>
-Topology<Dim> beginStep(const Problem<Dim>& problem, State<Dim>& state);
+struct StepStart {
+    Topology<Dim> topology;
+    NodeConstraints<Dim> constraints;  // over the step
+};
+
+/// What a step of length dt [s] is about; the state gets velocities that its start allows.
+template <int Dim>
+StepStart<Dim> beginStep(const Problem<Dim>& problem, double dt, State<Dim>& state);
 
 }  // namespace pfem

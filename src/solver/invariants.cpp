@@ -7,10 +7,10 @@
 #include <limits>
 
 #include "base/parallel.hpp"
+#include "mesh/onFace.hpp"
 #include "mesh/simplex.hpp"
 #include "solver/failedStep.hpp"
 #include "state/volume.hpp"
-#include "walls/onFace.hpp"
 
 namespace pfem {
 

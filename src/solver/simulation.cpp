@@ -10,7 +10,7 @@ TimeInfo plainNextTime(const TimeInfo& time, double dt) { return {time.value + d
 
 template <int Dim>
 void Simulation<Dim>::start(double dt) {
-    const auto topology = beginStep<Dim>(problem, state);
+    const auto topology = beginStep<Dim>(problem, 0, state).topology;
     const auto over = [&](double from, double to) { return constraintsOver<Dim>(from, to, problem, state, topology); };
     state.nodes =
         consistentStart<Dim>(problemAt<Dim>(state.time.value, problem), controls, state, topology, over, 1e-3 * dt);

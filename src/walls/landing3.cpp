@@ -5,8 +5,8 @@
 
 #include "base/parallel.hpp"
 #include "conditions/freedom.hpp"
+#include "mesh/onFace.hpp"
 #include "walls/landing.hpp"
-#include "walls/onFace.hpp"
 
 namespace pfem {
 

@@ -4,10 +4,9 @@
 #include <tuple>
 
 #include "mesh/bins.hpp"
-#include "mesh/distance.hpp"
 #include "mesh/locator.hpp"
+#include "mesh/nearestOnFace.hpp"
 #include "mesh/simplex.hpp"
-#include "walls/onFace.hpp"
 
 namespace pfem {
 
@@ -17,9 +16,8 @@ namespace {
 template <int Dim>
 void putBack(const Face<Dim>& face, const Vec<Dim>& n, double distance, int i, Nodes<Dim>& nodes) {
     const auto& [x, v] = std::tie(nodes.x, nodes.v);
-    const Vec<Dim> w = footWeights<Dim>(x, face, x[i]).cwiseMax(0.0);
-    const Vec<Dim> surface = weighted<Dim>(v, face, w / w.sum());
-    nodes.x[i] = weighted<Dim>(x, face, w / w.sum()) + distance * n;
+    const Vec<Dim> w = nearestWeights<Dim>(x, face, x[i]), surface = weighted<Dim>(v, face, w);
+    nodes.x[i] = weighted<Dim>(x, face, w) + distance * n;
     const double inward = (v[i] - surface).dot(n);
     if (inward < 0) nodes.v[i] -= inward * n;
 }

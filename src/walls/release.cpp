@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "mesh/onFace.hpp"
 #include "state/unseenPart.hpp"
-#include "walls/onFace.hpp"
 
 namespace pfem {
 

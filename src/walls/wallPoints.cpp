@@ -1,11 +1,9 @@
 #include "walls/wallPoints.hpp"
 
-#include <algorithm>
 #include <map>
 
 #include "mesh/adjacency.hpp"
-#include "mesh/distance.hpp"
-#include "mesh/wallFaces.hpp"
+#include "mesh/wallBins.hpp"
 
 namespace pfem {
 
@@ -33,20 +31,6 @@ void copySharedPoints(const std::vector<bool>& isWall, const std::vector<unsigne
     }
 }
 
-/// All regions of the walls on which x lies, by one face each.
-template <int Dim>
-Supports<Dim> supportsAt(const std::vector<WallFace<Dim>>& walls, const Points<Dim>& points, const Vec<Dim>& x,
-                         double near) {
-    Supports<Dim> supports = unsupported<Dim>();
-    for (int w = 0; w < static_cast<int>(walls.size()); ++w) {
-        if (walls[w].patch < 0 || distanceToFace<Dim>(points, walls[w].nodes, x) > near) continue;
-        const bool known = std::any_of(supports.begin(), supports.end(),
-                                       [&](int face) { return face >= 0 && walls[face].region == walls[w].region; });
-        if (!known) addSupport(supports, w);
-    }
-    return supports;
-}
-
 }  // namespace
 
 template <int Dim>
@@ -57,10 +41,11 @@ void separateFromWalls(const std::vector<bool>& isWall, State<Dim>& state) {
     for (std::size_t i = 0; i < wet.size(); ++i) ofBody[i] |= solid[i];
     copySharedPoints<Dim>(isWall, ofBody, state);
     const auto walls = wallFaces<Dim>(state.mesh.patches, isWall, state.nodes.x);
+    const WallBins<Dim> places(walls, state.nodes.x);
     for (std::size_t i = 0; i < wet.size(); ++i) {
         if (!wet[i] || solid[i]) continue;
         Vec<Dim>& x = state.nodes.x[i];
-        state.nodes.wall[i] = supportsAt<Dim>(walls, state.nodes.x, x, 1e-6 * state.nodes.h[i]);
+        state.nodes.wall[i] = places.supportsAt(x, 1e-6 * state.nodes.h[i]);
         if (nSupports(state.nodes.wall[i]) != 1) continue;
         x = state.nodes.X[i] =
             placeOnRegion<Dim>(walls, state.nodes.x, state.nodes.wall[i][0], x).x;  // where it is bent

@@ -6,7 +6,7 @@
 
 #include "io/stateDimension.hpp"
 #include "io/stateFiles.hpp"
-#include "mesh/wallSupports.hpp"
+#include "mesh/wallBins.hpp"
 #include "mshCase.hpp"
 
 using namespace pfem;
@@ -80,7 +80,8 @@ TEST(SpaceMesh, FluidKnowsItsWalls) {
     for (const auto& s : state.mesh.fluid.nodes) fluid.insert(s.begin(), s.end());
     std::vector<bool> isWall;
     for (const auto& patch : state.mesh.patches) isWall.push_back(patch.name == "tank");
-    const WallSupports<3> walls(state.mesh.patches, isWall, state.nodes.x, 1e-9);
+    const auto walls = wallFaces<3>(state.mesh.patches, isWall, state.nodes.x);
+    const WallBins<3> places(walls, state.nodes.x);
     int onWalls = 0, onEdges = 0;
     for (int i = 0; i < state.nodes.size(); ++i) {
         const auto& x = state.nodes.x[i];
@@ -89,9 +90,17 @@ TEST(SpaceMesh, FluidKnowsItsWalls) {
         EXPECT_EQ(isSupported(state.nodes.wall[i]), at) << x.transpose();
         if (!at) continue;
         ++onWalls;
-        EXPECT_EQ(walls.supportsOf(x).front(), state.nodes.wall[i][0]);
+        EXPECT_EQ(places.supportsAt(x, 1e-9), state.nodes.wall[i]);
         EXPECT_EQ(nSupports(state.nodes.wall[i]), side && end ? 2 : 1);
-        EXPECT_EQ(walls.normalsAt(x).size(), side && end ? 2u : 1u);
+        std::set<int> across;  // axes of the normals
+        for (int k = 0; k < nSupports(state.nodes.wall[i]); ++k) {
+            Eigen::Index axis = 0;
+            const auto& face = walls[state.nodes.wall[i][k]].nodes;
+            EXPECT_NEAR(inwardNormal<3>(state.nodes.x, face).cwiseAbs().maxCoeff(&axis), 1, 1e-12);
+            EXPECT_NEAR(state.nodes.x[face[0]][axis], x[axis], 1e-12);
+            across.insert(static_cast<int>(axis));
+        }
+        EXPECT_EQ(across.size(), side && end ? 2u : 1u);
         onEdges += side && end;
         EXPECT_EQ(state.nodes.v[i][0], side ? 0.0 : 1.0);
         EXPECT_NEAR(state.nodes.v[i][1], end ? 0.0 : 2.0, 1e-15);

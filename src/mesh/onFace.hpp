@@ -7,7 +7,8 @@
 
 namespace pfem {
 
-/// Weights of the face's nodes at the foot of a point on its line or plane; not within it: one is negative.
+/// Weights of the face's nodes at the foot of a point on its line or plane; not within it: one is negative. Of a face
+/// without area: no numbers.
 template <int Dim>
 Vec<Dim> footWeights(const Points<Dim>& x, const Face<Dim>& face, const Vec<Dim>& point) {
     const Vec<Dim> a = x[face[0]], b = x[face[1]] - a, p = point - a;
@@ -16,9 +17,15 @@ Vec<Dim> footWeights(const Points<Dim>& x, const Face<Dim>& face, const Vec<Dim>
         return {1 - s, s};
     } else {
         const Vec<3> c = x[face[2]] - a, n = b.cross(c);
-        const double s = p.cross(c).dot(n) / n.squaredNorm(), t = b.cross(p).dot(n) / n.squaredNorm();
+        const double area = n.squaredNorm(), s = p.cross(c).dot(n) / area, t = b.cross(p).dot(n) / area;
         return {1 - s - t, s, t};
     }
+}
+
+/// Is the foot with these weights on the face?
+template <int Dim>
+bool isWithin(const Vec<Dim>& weights) {
+    return (weights.array() >= 0).all();
 }
 
 /// The mean of the nodes' values by these weights.
