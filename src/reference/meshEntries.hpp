@@ -7,8 +7,9 @@
 
 namespace pfem::meshEntries {
 
-inline EntryDescription size(const std::string& cells) {
-    return {"meshSize", "scalar", "m", "that of the dictionary above", "wanted length of the " + cells + "' edges",
+/// `ofCells`: "triangles'".
+inline EntryDescription size(const std::string& ofCells) {
+    return {"meshSize", "scalar", "m", "that of the dictionary above", "wanted length of the " + ofCells + " edges",
             "> 0"};
 }
 

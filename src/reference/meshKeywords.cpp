@@ -6,7 +6,7 @@ namespace pfem {
 std::vector<KeywordTable> meshKeywords() {
     const std::string file = "system/meshDict";
     using namespace meshEntries;
-    const EntryDescription size = meshEntries::size("triangles"), arcs = meshEntries::arcs("");
+    const EntryDescription size = meshEntries::size("triangles'"), arcs = meshEntries::arcs("");
     return {
         {file,
          "",

@@ -56,7 +56,7 @@ std::vector<KeywordTable> spaceMeshKeywords() {
                               ""},
                              {"subtract", "words", "-", "()", "shapes that are cut out", ""},
                              {"intersect", "words", "-", "()", "shapes within which the body is kept", ""},
-                             size("tetrahedra"),
+                             size("tetrahedra's"),
                              velocity("(0 0 0)", "\"-2*y\" \"2*x\" \"0\""),
                              group("body", "geometry", "tetrahedra"),
                              patches("surface")})},

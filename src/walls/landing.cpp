@@ -1,144 +1,181 @@
 #include "walls/landing.hpp"
 
 #include <algorithm>
-#include <array>
-#include <limits>
-#include <set>
+#include <vector>
 
 #include "base/parallel.hpp"
+#include "conditions/freedom.hpp"
+#include "mesh/onFace.hpp"
 #include "state/calm.hpp"
+#include "walls/arrival.hpp"
 #include "walls/meeting.hpp"
-#include "walls/wallLine.hpp"
 
 namespace pfem {
 
 namespace {
 
 constexpr double roundOff = 1e-6;  // of h, where faces meet
+constexpr double meets = 1e-3;     // of h, how far from a meeting of walls one of them may end
+constexpr double apart = 0.05;     // of h, before a corner that another node has
 
-/// Where a node lands on a wall, how far from its start and after which part of its way.
-struct Landing {
-    double part = std::numeric_limits<double>::max();  // it does not
-    double place = 0;
-    int wall = -1;
-};
-
-using Lines = std::array<WallLine, 2>;  // of a wall face now and before
-
-/// The landing of a node on its way from xOld to x on a wall: it has crossed the wall or is within distance h of it.
-/// What is part of the fluid is put on the wall where it is; a drop, whose way may be many h long, where it has crossed
-/// it.
-Landing landingOn(const Lines& line, const Vec<2>& xOld, const Vec<2>& x, double h, double distance, bool drop) {
-    const double after = line[0].distance(x), before = line[1].distance(xOld);
-    if (after > distance * h || before < -1e-9 * h || after >= before) return {};  // far, was behind, or leaves
-    Landing landing;
-    landing.part = drop && after < 0 ? std::max(0.0, before / (before - after)) : 1;
-    landing.place = line[0].along(x);
-    if (landing.part < 1) landing.place = line[1].along(xOld) + landing.part * (landing.place - line[1].along(xOld));
-    const bool within = landing.place >= -roundOff * h && landing.place <= line[0].length + roundOff * h;
-    return within ? landing : Landing{};
-}
-
+template <int Dim>
 class Lander {
 public:
-    Lander(const WallDistances& controls, const Topology<2>& topology, const Points<2>& xOld, double gravity,
-           Nodes<2>& nodes)
-        : controls_(controls), topology_(topology), xOld_(xOld), gravity_(gravity), nodes_(nodes) {}
+    Lander(const Topology<Dim>& topology, double gravity, Nodes<Dim>& nodes)
+        : topology_(topology), gravity_(gravity), nodes_(nodes) {}
 
-    void run() {
+    /// Those who slide.
+    void stay() {
         for (int i = 0; i < nodes_.size(); ++i)  // those who stay have the corners
-            if (isHeld(i) && nSupports(nodes_.wall[i]) == 2) stayInCorner(i);
+            if (isHeld(i) && nSupports(nodes_.wall[i]) == Dim) stayInCorner(i);
         for (int i = 0; i < nodes_.size(); ++i)
-            if (isHeld(i) && nSupports(nodes_.wall[i]) == 1) stayOnWall(i);
-        landOthers();
+            if (isHeld(i) && nSupports(nodes_.wall[i]) < Dim) stayOnWalls(i);
+    }
+
+    /// Those who arrive.
+    void land(const Arrivals<Dim>& arrivals, const Points<Dim>& xOld) {
+        std::vector<Arrival> first(nodes_.size());
+        parallelFor(nodes_.size(), [&](int i) {
+            if (topology_.ofFluid(i) && nSupports(nodes_.wall[i]) < Dim) first[i] = arrivals.first(i);
+        });
+        for (int i = 0; i < nodes_.size(); ++i) {
+            Arrival arrival = first[i];
+            for (int turn = 0; turn < Dim && arrival.any(); ++turn) {  // into an edge, or a corner
+                if (arrival.part < 1) nodes_.x[i] = xOld[i] + arrival.part * (nodes_.x[i] - xOld[i]);
+                addWall(i, arrival.wall);
+                arrival = arrivals.first(i);
+            }
+        }
     }
 
 private:
     bool isHeld(int i) const { return topology_.ofFluid(i) && isSupported(nodes_.wall[i]); }
-    WallLine lineOf(int wall) const { return {nodes_.x, topology_.walls[wall].nodes}; }
-    static std::pair<int, int> cornerOf(int wall, int other) { return std::minmax(wall, other); }
 
-    /// Put node i into the corner of both walls, if there is one and nobody in it. Its velocity is theirs.
-    bool enterCorner(int i, int wall, int other) {
-        const auto place = meetingOf(topology_, nodes_.x, wall, other, roundOff * nodes_.h[i]);
-        if (!place || !corners_.insert(cornerOf(wall, other)).second) return false;
-        nodes_.x[i] = *place;
-        nodes_.wall[i] = {wall, other};
-        const WallLine a = lineOf(wall), b = lineOf(other);
-        for (auto* values : {&nodes_.v, &nodes_.a}) {  // n_k . u = n_k . u_k
-            const Vec<2> ofA = a.between(a.along(*place), *values, topology_.walls[wall].nodes),
-                         ofB = b.between(b.along(*place), *values, topology_.walls[other].nodes);
-            const double na = a.inward.dot(ofA), nb = b.inward.dot(ofB), det = a.inward.dot(b.tangent);
-            (*values)[i] = (na * b.tangent - nb * a.tangent) / det;
-        }
+    WallPlace<Dim> placeOn(int wall, const Vec<Dim>& point) const {
+        return placeOnRegion<Dim>(topology_.walls, nodes_.x, wall, point);
+    }
+    int regionOf(int wall) const { return topology_.walls[wall].region; }
+
+    /// The wall of this region holds node i no longer.
+    void dropRegion(int i, int region) {
+        for (const int wall : Supports<Dim>(nodes_.wall[i]))
+            if (wall >= 0 && regionOf(wall) == region) dropSupport(nodes_.wall[i], wall);
+    }
+
+    /// Put node i where its walls meet. Do they?
+    bool settle(int i) {
+        const auto meeting =
+            meetingOf<Dim>(topology_.walls, nodes_.x, nodes_.wall[i], nodes_.x[i], meets * nodes_.h[i]);
+        if (!meeting) return false;
+        nodes_.x[i] = meeting->x;
+        nodes_.wall[i] = meeting->walls;
         return true;
+    }
+
+    /// A moving wall has left the others: the node goes on along those that are nearer.
+    void settleOnNearest(int i) {
+        while (!settle(i)) {
+            int farthest = -1;
+            double most = -1;
+            for (const int wall : nodes_.wall[i]) {
+                if (wall < 0) continue;
+                const double distance = (placeOn(wall, nodes_.x[i]).x - nodes_.x[i]).norm();
+                if (distance > most) farthest = wall, most = distance;
+            }
+            dropSupport(nodes_.wall[i], farthest);
+        }
     }
 
     void stayInCorner(int i) {
-        const auto [wall, other] = nodes_.wall[i];
-        const auto place = meetingOf(topology_, nodes_.x, wall, other, roundOff * nodes_.h[i]);
-        if (!place) {  // a moving wall has left the other one: the nearer one has its water
-            const Vec<2>& x = nodes_.x[i];
-            const auto off = [&](int w) {
-                return (placeOnRegion<2>(topology_.walls, nodes_.x, w, x).x - x).squaredNorm();
-            };
-            dropSupport(nodes_.wall[i], off(wall) <= off(other) ? other : wall);
-            return;
-        }
-        nodes_.x[i] = *place;
-        if (isConvexEnd(topology_, wall, other) && letGoRound(i)) return;
-        corners_.insert(cornerOf(wall, other));
+        settleOnNearest(i);
+        letGoRound(i);
+        if (nSupports(nodes_.wall[i]) == Dim) corners_.push_back(nodes_.x[i]);
     }
 
-    /// Water that moves takes the node along, round a convex corner: it keeps the wall along which the water flows.
-    bool letGoRound(int i) {
-        Vec<2> flow = Vec<2>::Zero();
+    /// How the water around node i moves relative to it: the sum of the neighbours' velocities; no number where all
+    /// are slow.
+    std::optional<Vec<Dim>> flowAround(int i) const {
+        Vec<Dim> flow = Vec<Dim>::Zero();
         double fastest = 0;
         for (int s = topology_.ring.start[i]; s < topology_.ring.start[i + 1]; ++s) {
-            const Vec<2> u = nodes_.v[topology_.ring.node[s]] - nodes_.v[i];
+            const Vec<Dim> u = nodes_.v[topology_.ring.node[s]] - nodes_.v[i];
             flow += u;
             fastest = std::max(fastest, u.squaredNorm());
         }
-        if (fastest <= calmSpeedSquared(gravity_, nodes_.h[i])) return false;
-        const auto away = [&](int wall) {  // from the corner along the wall
-            const WallLine line = lineOf(wall);
-            return Vec<2>(line.along(nodes_.x[i]) > 0.5 * line.length ? -line.tangent : line.tangent);
-        };
-        const auto [wall, other] = nodes_.wall[i];
-        dropSupport(nodes_.wall[i], flow.dot(away(wall)) >= flow.dot(away(other)) ? other : wall);
-        return true;
+        return fastest > calmSpeedSquared(gravity_, nodes_.h[i]) ? std::optional<Vec<Dim>>(flow) : std::nullopt;
     }
 
-    void stayOnWall(int i) {
-        const int wall = nodes_.wall[i][0];
-        const auto place = placeOnRegion<2>(topology_.walls, nodes_.x, wall, nodes_.x[i]);
-        nodes_.wall[i] = {place.face, -1};
-        const bool ends = place.beyond >= 0;
-        const Bend bend = ends ? topology_.walls[place.face].bend[place.beyond] : Bend::smooth;
-        const int next = ends ? topology_.walls[place.face].next[place.beyond] : -1;
-        if (bend == Bend::open && !isStopped(i, place)) {
-            nodes_.wall[i] = unsupported<2>();
-            return;
-        }
-        if (bend == Bend::convex) {
-            goRound(i, next);
-            return;
-        }
-        nodes_.x[i] = place.x;
-        if (bend == Bend::concave && !(next >= 0 && enterCorner(i, place.face, next)))
-            stopBefore(i, place.face, place.x);
+    /// Water that moves takes a node along, round a convex edge: of its two walls it keeps the one along which the
+    /// water flows.
+    void letGoRound(int i) {
+        const Supports<Dim> walls = nodes_.wall[i];
+        for (int k = 1; k < nSupports(walls); ++k)
+            for (int l = 0; l < k; ++l) {
+                if (!topology_.joined(walls[k], walls[l])) continue;
+                const auto flow = flowAround(i);
+                if (!flow) return;
+                const Vec<Dim> n = placeOn(walls[l], nodes_.x[i]).normal, m = placeOn(walls[k], nodes_.x[i]).normal;
+                const double c = n.dot(m);  // away from the edge: along the first wall c n - m, along the other c m - n
+                dropRegion(i, regionOf(walls[flow->dot(c * n - m) >= flow->dot(c * m - n) ? k : l]));
+            }
     }
 
-    /// Beyond a convex corner: along the next wall under water, free at the surface.
-    void goRound(int i, int next) {
-        nodes_.wall[i] = unsupported<2>();
+    /// Back onto its walls; what their ends do with it.
+    void stayOnWalls(int i) {
+        letGoRound(i);
+        const Supports<Dim> before = nodes_.wall[i];
+        for (const int wall : before) {
+            if (wall < 0) continue;
+            const auto place = placeOn(wall, nodes_.x[i]);
+            if (place.beyond >= 0) leaveEnd(i, place);
+        }
+        if (isSupported(nodes_.wall[i])) settleOnNearest(i);
+    }
+
+    /// Node i has come beyond the end of a wall.
+    void leaveEnd(int i, const WallPlace<Dim>& place) {
+        const auto& face = topology_.walls[place.face];
+        const int next = face.next[place.beyond];
+        const bool isBeyond = (place.x - nodes_.x[i]).norm() > roundOff * nodes_.h[i];
+        switch (face.bend[place.beyond]) {
+            case Bend::concave:
+                if (next >= 0)
+                    addWall(i, next);
+                else
+                    stopAtFork(i, place);
+                break;
+            case Bend::convex:
+                if (isBeyond) goRound(i, face.region, next);
+                break;
+            case Bend::open:
+                if (isBeyond && !isStopped(i, place)) dropRegion(i, face.region);
+                break;
+            case Bend::smooth:
+                break;
+        }
+    }
+
+    /// Beyond a convex edge: along the next wall under water, free at the surface.
+    void goRound(int i, int region, int next) {
+        dropRegion(i, region);
         if (topology_.freeSurface[i] || topology_.isolated(i)) return;
-        const auto place = placeOnRegion<2>(topology_.walls, nodes_.x, next, nodes_.x[i]);
-        land(lineOf(place.face), place.face, lineOf(place.face).along(place.x), i);
+        if (!isHeldByRegion(i, regionOf(next))) addSupport(nodes_.wall[i], next);
+        settleOnNearest(i);
+        keepVelocity(i);
+    }
+    bool isHeldByRegion(int i, int region) const {
+        const auto& own = nodes_.wall[i];
+        return std::any_of(own.begin(), own.end(), [&](int wall) { return wall >= 0 && regionOf(wall) == region; });
+    }
+
+    /// Where three walls and more meet at an edge, a little before it.
+    void stopAtFork(int i, const WallPlace<Dim>& place) {
+        const Vec<Dim> back = nodes_.x[topology_.walls[place.face].nodes[place.beyond]] - place.x;
+        nodes_.x[i] = place.x + back * std::min(apart * nodes_.h[i] / back.norm(), 0.5);
     }
 
     /// Does a solid stand where the wall ends?
-    bool isStopped(int i, const WallPlace<2>& place) const {
+    bool isStopped(int i, const WallPlace<Dim>& place) const {
         for (int j = 0; j < nodes_.size(); ++j)
             if (topology_.onSolid[j] && topology_.supportOn(j, place.face) >= 0 &&
                 (nodes_.x[j] - place.x).norm() < 0.01 * nodes_.h[i])
@@ -146,74 +183,76 @@ private:
         return false;
     }
 
-    /// A little before the corner that somebody else has: node control is going to take it out.
-    void stopBefore(int i, int wall, const Vec<2>& corner) {
-        const WallLine line = lineOf(wall);
-        const double s = line.along(corner), room = std::min(0.05 * nodes_.h[i], 0.5 * line.length);
-        nodes_.x[i] = line.start + (s > 0.5 * line.length ? line.length - room : room) * line.tangent;
+    bool isTaken(const Vec<Dim>& corner, double near) const {
+        return std::any_of(corners_.begin(), corners_.end(),
+                           [&](const Vec<Dim>& x) { return (x - corner).norm() < near; });
     }
 
-    /// Put node i on the wall face w at distance s from its start; there it moves along with the wall.
-    void land(const WallLine& line, int w, double s, int i) {
-        const Face<2>& face = topology_.walls[w].nodes;
-        s = std::clamp(s, 0.0, line.length);
-        const auto alongWith = [&](const Vec<2>& own, const Vec<2>& ofWall) -> Vec<2> {
-            const Vec<2> along = line.tangent * line.tangent.dot(own);
-            const double normal = line.inward.dot(ofWall);
-            return normal == 0 ? along : Vec<2>(along + normal * line.inward);
-        };
-        nodes_.x[i] = line.start + s * line.tangent;
-        nodes_.v[i] = alongWith(nodes_.v[i], line.between(s, nodes_.v, face));
-        nodes_.a[i] = alongWith(nodes_.a[i], line.between(s, nodes_.a, face));
-        nodes_.wall[i] = {w, -1};
-    }
-
-    void landOthers() {
-        std::vector<std::pair<int, Lines>> walls;
-        for (int w = 0; w < static_cast<int>(topology_.walls.size()); ++w) {
-            const auto& face = topology_.walls[w];
-            if (face.patch >= 0) walls.push_back({w, {WallLine(nodes_.x, face.nodes), WallLine(xOld_, face.nodes)}});
+    /// One more wall holds the node; not where they do not meet or another one has the corner.
+    void addWall(int i, int wall) {
+        if (isHeldBy<Dim>(topology_, nodes_.wall[i], wall) || nSupports(nodes_.wall[i]) == Dim) return;
+        const Supports<Dim> own = nodes_.wall[i];
+        const Vec<Dim> x = nodes_.x[i];
+        addSupport(nodes_.wall[i], wall);
+        const bool met = settle(i), corner = nSupports(nodes_.wall[i]) == Dim;
+        if (met && !(corner && isTaken(nodes_.x[i], meets * nodes_.h[i]))) {
+            if (corner) corners_.push_back(nodes_.x[i]);
+            keepVelocity(i);
+            return;
         }
-        std::vector<Landing> landings(nodes_.size());
-        parallelFor(nodes_.size(), [&](int i) {
-            if (!topology_.ofFluid(i) || nSupports(nodes_.wall[i]) == 2) return;
-            const int own = nodes_.wall[i][0];
-            const bool drop = topology_.isolated(i);
-            for (const auto& [w, lines] : walls) {
-                if (own >= 0 && topology_.joined(own, w)) continue;
-                Landing landing = landingOn(lines, xOld_[i], nodes_.x[i], nodes_.h[i], controls_.landingDistance, drop);
-                if (landing.part >= landings[i].part) continue;
-                landing.wall = w;
-                landings[i] = landing;
+        nodes_.wall[i] = own;
+        nodes_.x[i] = x;
+        stopBefore(i, wall);
+    }
+
+    /// Not behind the wall, but a little before it, along those that hold the node: node control is going to take it
+    /// out.
+    void stopBefore(int i, int wall) {
+        const auto place = placeOn(wall, nodes_.x[i]);
+        const double distance = place.normal.dot(nodes_.x[i] - place.x);
+        if (distance > roundOff * nodes_.h[i]) return;
+        Freedom<Dim> free;
+        for (const int own : nodes_.wall[i])
+            if (own >= 0) free = free.without(inwardNormal<Dim>(nodes_.x, topology_.walls[own].nodes));
+        const Vec<Dim> along = free.project(place.normal);
+        if (along.norm() > 1e-3) nodes_.x[i] += along * ((apart * nodes_.h[i] - distance) / along.dot(place.normal));
+    }
+
+    /// Velocity and acceleration normal to the node's walls are those of the walls.
+    void keepVelocity(int i) {
+        for (auto* values : {&nodes_.v, &nodes_.a}) {
+            Freedom<Dim> free;
+            for (const int wall : nodes_.wall[i]) {
+                if (wall < 0) continue;
+                const Face<Dim>& face = topology_.walls[wall].nodes;
+                const Vec<Dim> n = inwardNormal<Dim>(nodes_.x, face), part = free.project(n);
+                if (part.norm() < 1e-6) continue;
+                const double missing = n.dot(onFace<Dim>(nodes_.x, face, nodes_.x[i], *values) - (*values)[i]);
+                (*values)[i] += part * (missing / part.squaredNorm());
+                free = free.without(n);
             }
-        });
-        for (int i = 0; i < nodes_.size(); ++i) {
-            const Landing& landing = landings[i];
-            if (landing.wall < 0) continue;
-            const WallLine line = lineOf(landing.wall);
-            const int own = nodes_.wall[i][0];
-            if (own < 0) {
-                land(line, landing.wall, landing.place, i);
-                nodes_.x[i] = placeOnRegion<2>(topology_.walls, nodes_.x, landing.wall, nodes_.x[i]).x;
-            } else if (!enterCorner(i, own, landing.wall) && line.distance(nodes_.x[i]) < 0)
-                nodes_.x[i] += (0.05 * nodes_.h[i] - line.distance(nodes_.x[i])) * line.inward;
         }
     }
 
-    const WallDistances& controls_;
-    const Topology<2>& topology_;
-    const Points<2>& xOld_;
+    const Topology<Dim>& topology_;
     double gravity_;
-    Nodes<2>& nodes_;
-    std::set<std::pair<int, int>> corners_;  // where there is a node, by their walls
+    Nodes<Dim>& nodes_;
+    std::vector<Vec<Dim>> corners_;  // where there is a node
 };
 
 }  // namespace
 
-template <>
-void landOnWalls<2>(const WallDistances& controls, const Topology<2>& topology, const Points<2>& xOld, double gravity,
-                    State<2>& state) {
-    Lander(controls, topology, xOld, gravity, state.nodes).run();
+template <int Dim>
+void landOnWalls(const WallDistances& controls, const Topology<Dim>& topology, const Points<Dim>& xOld, double gravity,
+                 State<Dim>& state) {
+    Lander<Dim> lander(topology, gravity, state.nodes);
+    lander.stay();
+    lander.land({controls.landingDistance, topology, xOld, state.nodes}, xOld);
 }
+
+#define PFEM_INSTANTIATE(D) \
+    template void landOnWalls<D>(const WallDistances&, const Topology<D>&, const Points<D>&, double, State<D>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

@@ -1,38 +1,42 @@
 #include "walls/meeting.hpp"
 
+#include <Eigen/LU>
 #include <cmath>
-
-#include "walls/wallLine.hpp"
 
 namespace pfem {
 
-namespace {
-
-/// The local edge of `wall` beyond which `other` follows, -1: none.
-int edgeTo(const Topology<2>& topology, int wall, int other) {
-    for (int k = 0; k < 2; ++k)
-        if (topology.walls[wall].next[k] == other) return k;
-    return -1;
+template <int Dim>
+std::optional<Meeting<Dim>> meetingOf(const std::vector<WallFace<Dim>>& walls, const Points<Dim>& x,
+                                      const Supports<Dim>& supports, const Vec<Dim>& start, double near) {
+    Meeting<Dim> meeting{start, supports};
+    const int count = nSupports(supports);
+    constexpr int turns = 4;  // bent walls: Newton's steps
+    for (int turn = 0; count > 1 && turn < turns; ++turn) {
+        Eigen::Matrix<double, Dim, Eigen::Dynamic, 0, Dim, Dim> N(Dim, count);
+        Eigen::Matrix<double, Eigen::Dynamic, 1, 0, Dim, 1> off(count);
+        for (int k = 0; k < count; ++k) {
+            const auto place = placeOnRegion<Dim>(walls, x, meeting.walls[k], meeting.x);
+            meeting.walls[k] = place.face;
+            N.col(k) = place.normal;
+            off[k] = place.normal.dot(place.x - meeting.x);
+        }
+        const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, Dim, Dim> metric = N.transpose() * N;
+        if (!(metric.determinant() > 1e-6)) return std::nullopt;
+        meeting.x += N * metric.inverse() * off;
+    }
+    for (int k = 0; k < count; ++k) {
+        const auto place = placeOnRegion<Dim>(walls, x, meeting.walls[k], meeting.x);
+        if (count > 1 && !((place.x - meeting.x).norm() < near)) return std::nullopt;
+        meeting.walls[k] = place.face;
+        if (count == 1) meeting.x = place.x;
+    }
+    return meeting;
 }
 
-}  // namespace
-
-std::optional<Vec<2>> meetingOf(const Topology<2>& topology, const Points<2>& x, int wall, int other, double slack) {
-    const Face<2>& face = topology.walls[wall].nodes;
-    if (const int k = edgeTo(topology, wall, other); k >= 0) return x[face[1 - k]];
-    const WallLine own(x, face), line(x, topology.walls[other].nodes);
-    const double across = own.tangent.dot(line.inward);
-    if (std::abs(across) < 1e-3) return std::nullopt;
-    const double s = -line.distance(own.start) / across;
-    const Vec<2> place = own.start + s * own.tangent;
-    const double t = line.along(place);
-    const bool within = s > -slack && s < own.length + slack && t > -slack && t < line.length + slack;
-    return within ? std::optional<Vec<2>>(place) : std::nullopt;
-}
-
-bool isConvexEnd(const Topology<2>& topology, int wall, int other) {
-    const int k = edgeTo(topology, wall, other);
-    return k >= 0 && topology.walls[wall].bend[k] == Bend::convex;
-}
+#define PFEM_INSTANTIATE(D)                                                                            \
+    template std::optional<Meeting<D>> meetingOf<D>(const std::vector<WallFace<D>>&, const Points<D>&, \
+                                                    const Supports<D>&, const Vec<D>&, double);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

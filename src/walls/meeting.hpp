@@ -1,5 +1,5 @@
 #pragma once
-// Where two walls meet.
+// Where walls meet.
 
 #include <optional>
 
@@ -7,10 +7,18 @@
 
 namespace pfem {
 
-/// The place of two wall faces where a node lies on both, within the faces (to `slack`); none where they do not meet.
-std::optional<Vec<2>> meetingOf(const Topology<2>& topology, const Points<2>& x, int wall, int other, double slack);
+/// A point on one or more walls, nearest to where it was looked for.
+template <int Dim>
+struct Meeting {
+    Vec<Dim> x;
+    Supports<Dim> walls;  // the faces of the same regions on which it lies
+};
 
-/// Do two wall faces have a common end with a convex bend?
-bool isConvexEnd(const Topology<2>& topology, int wall, int other);
+/// The place where the walls of `supports` meet, from `start` on by the least displacements to the meeting of their
+/// planes; x: of the walls' points. None where they do not meet there: their planes are parallel, or one has its end
+/// more than `near` [m] before.
+template <int Dim>
+std::optional<Meeting<Dim>> meetingOf(const std::vector<WallFace<Dim>>& walls, const Points<Dim>& x,
+                                      const Supports<Dim>& supports, const Vec<Dim>& start, double near);
 
 }  // namespace pfem
