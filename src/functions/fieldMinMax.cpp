@@ -5,18 +5,22 @@
 #include <cmath>
 
 #include "functions/sampling.hpp"
+#include "mesh/topology.hpp"
 
 namespace pfem {
 
 namespace {
 
-/// Is node i part of the region? (flags per node)
+/// Is node i part of the region? (flags per node) Of both: of a cell, or a drop; points of walls carry nothing.
 template <int Dim>
-std::vector<char> nodesOf(const State<Dim>& state, Region region) {
-    std::vector<char> member(state.nodes.id.size(), region == Region::both ? 1 : 0);
-    const auto& cells = region == Region::solid ? state.mesh.solid : state.mesh.fluid;
-    for (const auto& simplex : cells.nodes)
-        for (const int i : simplex) member[static_cast<std::size_t>(i)] = 1;
+std::vector<unsigned char> nodesOf(const State<Dim>& state, Region region) {
+    const int n = state.nodes.size();
+    if (region != Region::both)
+        return nodesIn<Dim>((region == Region::solid ? state.mesh.solid : state.mesh.fluid).nodes, n);
+    auto member = looseNodes<Dim>(state.mesh, n);
+    for (const auto* cells : {&state.mesh.fluid.nodes, &state.mesh.solid.nodes})
+        for (const auto& simplex : *cells)
+            for (const int i : simplex) member[i] = 1;
     return member;
 }
 

@@ -11,7 +11,8 @@
 namespace pfem {
 
 /// Writes postProcessing/<name>/<startTime>/fieldMinMax.dat, tab separated: one row per time and field with
-/// the smallest and largest value (vectors and tensors: magnitude) over the nodes of the field's region.
+/// the smallest and largest value (vectors and tensors: magnitude) over the nodes of the field's region;
+/// points of walls are none.
 template <int Dim>
 class FieldMinMax : public FunctionObject<Dim> {
 public:

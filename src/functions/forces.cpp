@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "functions/balance.hpp"
 #include "functions/faceForce.hpp"
+#include "momentum/meniscus.hpp"
 #include "solver/setup.hpp"
 
 namespace pfem {
@@ -27,6 +28,19 @@ std::string columns(const Table& table, double time, const std::vector<Eigen::Ve
     return line;
 }
 
+/// What the surface's edge hangs with on the solids of these materials.
+template <int Dim>
+void addMeniscusOn(const Problem<Dim>& problem, const State<Dim>& state, const Topology<Dim>& topology,
+                   const std::vector<int>& materials, ForceAndMoment& sum) {
+    const Nodes<Dim>& nodes = state.nodes;
+    Points<Dim> force(nodes.x.size(), Vec<Dim>::Zero());
+    addMeniscus<Dim>(problem, state.mesh.fluid, topology, nodes, force);
+    for (int i = 0; i < nodes.size(); ++i)
+        if (topology.interface(i) &&
+            contains(materials, state.mesh.solid.material[topology.solid.cell[topology.solid.start[i]]]))
+            sum.add(padded<Dim>(nodes.x[i]), padded<Dim>(force[i]));
+}
+
 }  // namespace
 
 template <int Dim>
@@ -44,6 +58,7 @@ FluidForce fluidForce(const Problem<Dim>& problemOfRun, const State<Dim>& state,
             sum.viscous.add(x, padded<Dim>(force.viscous[i]));
         }
     }
+    if (!materials.empty()) addMeniscusOn<Dim>(problem, state, topology, materials, sum.pressure);
     return sum;
 }
 

@@ -43,7 +43,7 @@ struct FluidForce {
 };
 
 /// Fluid on the walls of `patches` and on the solids of `materials` (indices): the sum of faceForce over
-/// their wet faces.
+/// their wet faces; on solids with the meniscus (momentum/meniscus.hpp) in `pressure`.
 template <int Dim>
 FluidForce fluidForce(const Problem<Dim>& problem, const State<Dim>& state, const std::vector<int>& patches,
                       const std::vector<int>& materials);

@@ -62,9 +62,9 @@ TEST(Forces, ShearOnNoSlipWalls) {
     EXPECT_NEAR(lastRow(folder, "right/0/force.dat")[8], 0, 1e-9);
 }
 
-// A solid under water of constant pressure: p on each wetted face; the dry ones feel nothing.
+// A solid in water of constant pressure, weightless: p on each wetted face; the dry ones feel nothing.
 TEST(Forces, OnASolidsWettedFace) {
-    const CaseFolder folder(water + rubber, "base { type clamped; }");
+    const CaseFolder folder(water + rubber, "base { type clamped; }", "(0 0 0)");
     TestCase c = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 1) +
                               " } block { type solid; material rubber; " + rectangle(1, 0, 2, 0.5) +
                               " patches { base { edges ((1 2)); } } } );",
@@ -75,6 +75,37 @@ TEST(Forces, OnASolidsWettedFace) {
     EXPECT_NEAR(lastRow(folder, "block/0/force.dat")[1], 40 * 0.5, 1e-9);
     EXPECT_NEAR(lastRow(folder, "block/0/force.dat")[2], 0, 1e-9);
     EXPECT_NEAR(lastRow(folder, "block/0/moment.dat")[3], -40 * 0.5 * 0.25, 1e-9);
+}
+
+// Water sticks to a solid 2 cm above its level: the last face, 10 cm long, hangs on the solid with rho g 2 cm/6 each
+// metre, upright to the face.
+TEST(Forces, MeniscusHangsOnTheSolid) {
+    TestCase c = makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 1) +
+                              " pattern oneWay; } block { type solid; material rubber; " + rectangle(1, 0, 2, 2) +
+                              " pattern oneWay; patches { base { edges ((1 2)); } } } );",
+                          water + rubber, "base { type clamped; }", {0, -10});
+    for (auto& x : c.state.nodes.x)
+        if (x[0] < 0.999 && x[1] > 0.999) x[1] -= 0.02;
+    const auto force = [&](const std::vector<int>& materials) {
+        return fluidForce<2>(c.problem, c.state, {}, materials).pressure.force;
+    };
+    const int block = 1;
+    ASSERT_EQ(c.state.mesh.materials[block], "rubber");
+    EXPECT_NEAR(force({block})[1], -1000 * 10 * 0.02 / 6 * 0.1, 1e-9);
+    EXPECT_NEAR(force({block})[0], 1000 * 10 * 0.02 / 6 * 0.02, 1e-9);
+    EXPECT_EQ(force({0}).norm(), 0);
+}
+
+// Points of walls carry no fluid: how fast they are is no extreme of it.
+TEST(Forces, ExtremesAreThoseOfBodies) {
+    const CaseFolder folder(water, tankConditions);
+    State<2> state = tank();
+    const auto wet = nodesIn<2>(state.mesh.fluid.nodes, state.nodes.size());
+    for (int i = 0; i < state.nodes.size(); ++i) state.nodes.v[i] = {wet[i] ? 3.0 : 50.0, 0};
+    auto functions = folder.functions("m { type fieldMinMax; fields (U); }");
+    functions.start(state);
+    EXPECT_NE(folder.text("m/0/fieldMinMax.dat").find("\tU\t3\t"), std::string::npos);
+    EXPECT_EQ(folder.text("m/0/fieldMinMax.dat").find("\t50\t"), std::string::npos);
 }
 
 // The support gives what the rest's inertia and weight ask for: sum m (a - g), here of a swinging beam.
