@@ -32,8 +32,9 @@ StepResult<Dim> iterate(const Step<Dim>& step, const Controls& controls, Trial<D
     SolidPhase<Dim> solid(step.problem, controls.solid, step.mesh, step.topology.solid, old, scheme);
     MomentumEquation<Dim> momentum(step, controls, fluid, solid);
     ContinuityEquation<Dim> continuity(step, controls, fluid, momentum);
-    Convergence convergence(controls.convergence, unseenSpeed<Dim>(step),
-                            pressureScale<Dim>(step, fluid, controls.convergence.tolP));
+    const auto& tolerances = controls.convergence;
+    Convergence convergence(tolerances, std::max(unseenSpeed<Dim>(step), roundOffSpeed<Dim>(step) / tolerances.tolU),
+                            pressureScale<Dim>(step, fluid, tolerances.tolP));
     StepReport report;
     std::vector<double> dp;
     if (collapses<Dim>(fluid, trial.end.x)) fluid.wait(2);  // at x^n until there is a second velocity

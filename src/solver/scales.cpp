@@ -20,6 +20,14 @@ double viscousStressScale(const FluidPhase<Dim>& fluid, const Points<Dim>& v) {
     return n > 0 ? std::sqrt(sum / n) : 0;
 }
 
+/// The largest coordinate.
+template <int Dim>
+double farthest(const Points<Dim>& x) {
+    double most = 0;
+    for (const auto& point : x) most = std::max(most, point.cwiseAbs().maxCoeff());
+    return most;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -31,14 +39,27 @@ double meanSize(const Nodes<Dim>& nodes) {
 
 template <int Dim>
 double unseenSpeed(const Step<Dim>& step) {
-    double farthest = 0;
-    for (const auto& x : step.old.x) farthest = std::max(farthest, x.cwiseAbs().maxCoeff());
-    return unseenPart * (meanSize<Dim>(step.old) + 1e-3 * farthest) / step.dt();
+    return unseenPart * (meanSize<Dim>(step.old) + 1e-3 * farthest<Dim>(step.old.x)) / step.dt();
+}
+
+template <int Dim>
+double roundOffSpeed(const Step<Dim>& step) {
+    const auto& solid = step.mesh.solid;
+    double part = 0;  // (c dt/h)^2, of the speed of sound
+    for (int e = 0; e < solid.size(); ++e) {
+        const Solid& material = step.problem.solid(solid.material[e]);
+        if (material.law->kinematics() != Kinematics::reference) continue;
+        const double h = step.old.h[solid.nodes[e][0]],
+                     stiffness = material.elastic.lambda() + 2 * material.elastic.mu();
+        part = std::max(part, stiffness / material.rho * std::pow(step.dt() / h, 2));
+    }
+    return std::min(part, 1.0) * 4e-16 * farthest<Dim>(step.old.x) / step.dt();
 }
 
 template <int Dim>
 double pressureScale(const Step<Dim>& step, const FluidPhase<Dim>& fluid, double tolerance) {
-    const double dt = step.dt(), roundOff = 1e-14 / (dt * tolerance), unseen = unseenSpeed<Dim>(step);
+    const double dt = step.dt(), roundOff = 1e-14 / (dt * tolerance),
+                 unseen = unseenSpeed<Dim>(step) + roundOffSpeed<Dim>(step) / tolerance;
     double rho = 0;
     const double h = meanSize<Dim>(step.old);
     for (int material : step.mesh.fluid.material) rho = std::max(rho, step.problem.fluid(material).rho);
@@ -47,9 +68,10 @@ double pressureScale(const Step<Dim>& step, const FluidPhase<Dim>& fluid, double
            viscousStressScale<Dim>(fluid, step.old.v);
 }
 
-#define PFEM_INSTANTIATE(D)                         \
-    template double meanSize<D>(const Nodes<D>&);   \
-    template double unseenSpeed<D>(const Step<D>&); \
+#define PFEM_INSTANTIATE(D)                           \
+    template double meanSize<D>(const Nodes<D>&);     \
+    template double unseenSpeed<D>(const Step<D>&);   \
+    template double roundOffSpeed<D>(const Step<D>&); \
     template double pressureScale<D>(const Step<D>&, const FluidPhase<D>&, double);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
