@@ -63,7 +63,7 @@ Vec<Dim> shift(double lost, const Vec<Dim>& area, double limit) {
 template <int Dim>
 void holdBack(const NodeToCells& around, const std::vector<Simplex<Dim>>& cells, const std::vector<int>& surface,
               const Nodes<Dim>& nodes, Points<Dim>& shifted) {
-    constexpr double small = Dim == 2 ? 0.1 : 0.027;  // of h^Dim; a regular triangle has 0.43, a tetrahedron 0.118
+    constexpr double small = Dim == 2 ? 0.1 : 0.002;  // of h^Dim; a regular triangle has 0.43, a tetrahedron 0.118
     const Points<Dim>& x = nodes.x;
     for (bool again = true; again;) {
         again = false;
