@@ -1,6 +1,7 @@
 #include "remesh/nodeControl.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -26,6 +27,7 @@ public:
           long_(moved.x.size(), 0) {
         plan_.removed.assign(moved.x.size(), 0);
         findBoundaryEdges();
+        findHeights();
         closest_ = std::max(controls.removeDistance, controls.removeDistanceSurface);
         parallelFor(static_cast<int>(moved.x.size()), [&](int i) {  // most nodes need no second look
             for (int s = ring_.start[i]; s < ring_.start[i + 1]; ++s) {
@@ -151,8 +153,8 @@ private:
             }
     }
 
-    /// Would the midpoint be too close to a node opposite to the edge? Then the next remeshing would remove one of
-    /// them.
+    /// Would the midpoint be too close to a node opposite to the edge, or too low under the surface? Then the next
+    /// remeshing would remove one of them; in a film, again and again, and its sides could never be divided.
     bool wouldGoAgain(int i, int j) const {
         const bool surface = isBoundaryEdge(i, j);
         const Vec<Dim> middle = 0.5 * (moved_.x[i] + moved_.x[j]);
@@ -160,6 +162,8 @@ private:
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
             const auto& cell = moved_.fluid[around.cell[s]];
             if (std::find(cell.begin(), cell.end(), j) == cell.end()) continue;
+            if (!surface && 0.5 * height_[around.cell[s]] < controls_.expert.removeHeight * 0.5 * (h_[i] + h_[j]))
+                return true;
             for (int node : cell)
                 if (node != i && node != j &&
                     distanceTo(node, middle, 0.5 * (h_[i] + h_[j])) < distanceFrom(node, surface, true))
@@ -177,6 +181,16 @@ private:
             cells += std::find(cell.begin(), cell.end(), j) != cell.end();
         }
         return cells < 2;
+    }
+
+    void findHeights() {
+        height_.assign(moved_.fluid.size(), std::numeric_limits<double>::max());
+        for (const auto& face : moved_.topology.faces) {
+            if (face.kind != FaceKind::freeSurface) continue;
+            const double height = Dim * simplexMeasure<Dim>(moved_.x, moved_.fluid[face.cell]) /
+                                  faceArea<Dim>(moved_.x, face.nodes).norm();
+            height_[face.cell] = std::min(height_[face.cell], height);
+        }
     }
 
     void findBoundaryEdges() {
@@ -229,6 +243,7 @@ private:
     const std::vector<unsigned char>& kept_;
     const NodeToNodes& ring_;
     std::set<std::array<int, 2>> boundaryEdges_;  // (3D) of faces without a neighbour
+    std::vector<double> height_;                  // per cell, the least over a face of the free surface [m]
     double closest_ = 0;                          // in units of h: no node goes for one that is farther
     std::vector<unsigned char> locked_;
     std::vector<unsigned char> near_;  // to a neighbour: such a node may have to go

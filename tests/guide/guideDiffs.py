@@ -13,7 +13,7 @@ from build import Build
 project, built, work = (pathlib.Path(a).resolve() for a in sys.argv[1:4])
 here = pathlib.Path(__file__).parent
 
-# Heading in the guide: most files that one of its diffs may touch in src (issue 23; lists of files for CMake not counted)
+# Heading in the guide: most files that one of its diffs may touch in src (lists of files for CMake not counted)
 limits = {'Adding a material': 3, 'Adding a function object': 3, 'Adding a type of wall': 3, 'Adding a nodal field': 2,
           'Adding a remeshing rule': 2}
 

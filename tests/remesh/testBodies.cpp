@@ -113,7 +113,8 @@ TEST_P(Jet, keepsItsVolume) {
 // Thinner than removeDistanceFilm = 0.25 h a film breaks: 0.65 h stretched by e loses 8 % at its end for some steps.
 INSTANTIATE_TEST_SUITE_P(, Jet,
                          testing::Values(std::tuple(0.5, 0.0), std::tuple(0.5, 1.0), std::tuple(0.65, 1.0),
-                                         std::tuple(0.8, 2.0)),
+                                         std::tuple(0.78, 2.0), std::tuple(0.8, 2.0), std::tuple(0.9, 2.0),
+                                         std::tuple(1.0, 2.0)),
                          [](const auto& test) {
                              return "thick" + std::to_string(std::lround(100 * std::get<0>(test.param))) + "_rate" +
                                     std::to_string(std::lround(std::get<1>(test.param)));

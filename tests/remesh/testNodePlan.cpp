@@ -14,10 +14,14 @@ namespace {
 
 constexpr double h = 0.1;
 
-int removed(const TestCase& c) {
+NodePlan<2> planOf(const TestCase& c) {
     const auto& nodes = c.state.nodes;
-    const auto plan = planNodes<2>(c.controls.remeshing, movedMesh<2>(c.state, c.topology()), nodes.h,
-                                   keptNodes<2>(c.state.mesh, nodes.size()));
+    return planNodes<2>(c.controls.remeshing, movedMesh<2>(c.state, c.topology()), nodes.h,
+                        keptNodes<2>(c.state.mesh, nodes.size()));
+}
+
+int removed(const TestCase& c) {
+    const auto plan = planOf(c);
     return std::accumulate(plan.removed.begin(), plan.removed.end(), 0);
 }
 
@@ -34,6 +38,18 @@ TEST(NodePlan, acrossAFilm) {
     EXPECT_GT(film(0.26, 0.27), 0);
     EXPECT_GT(film(0.39, 1), 0);  // never above removeDistanceSurface
     EXPECT_EQ(film(0.41, 1), 0);
+}
+
+// A node in the middle of a film would be removed again as it lies under the surface, and keep the sides from being
+// divided: so the sides are, though the diagonals are longer.
+TEST(NodePlan, sidesOfAFilmAreDividedNotItsDiagonals) {
+    TestCase c = makeCase(
+        "meshSize 0.1; bodies ( film { type fluid; material water; " + rectangle(0, 0, 1, h) + " } );", water, "");
+    auto& x = c.state.nodes.x;
+    for (auto& point : x) point = {1.75 * point[0], 0.4 * point[1]};
+    const auto plan = planOf(c);
+    EXPECT_GE(plan.inserted.size(), 5u);
+    for (const auto& [i, j] : plan.inserted) EXPECT_NEAR(x[i][1], x[j][1], 1e-12);
 }
 
 /// The inner node of the cell at the middle of the upper side, at this height [h] under the middle of its face.
