@@ -24,7 +24,7 @@ std::vector<Dictionary> inOrder(const Dictionary& dict) {
 }  // namespace
 
 std::vector<Dictionary> functionEntries(const Dictionary& dict) {
-    const auto entries = inOrder(dict);
+    auto entries = inOrder(dict);
     std::set<std::string> names;
     for (const auto& entry : entries) {
         const std::string name = entry.keyword();

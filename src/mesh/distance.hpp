@@ -28,7 +28,8 @@ double distanceToFace(const Points<Dim>& x, const Face<Dim>& face, const Vec<Dim
         return distanceToSegment<2>(x[face[0]], x[face[1]], point);
     } else {  // within the triangle from its plane, else from the nearest edge
         if (isWithin<3>(footWeights<3>(x, face, point))) {
-            const Vec<3> a = x[face[0]], n = (x[face[1]] - a).cross(x[face[2]] - a);
+            const Vec<3>& a = x[face[0]];
+            const Vec<3> n = (x[face[1]] - a).cross(x[face[2]] - a);
             return std::abs(n.dot(point - a)) / n.norm();
         }
         double nearest = distanceToSegment<3>(x[face[0]], x[face[1]], point);

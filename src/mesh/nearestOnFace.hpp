@@ -15,7 +15,7 @@ Vec<Dim> nearestWeights(const Points<Dim>& x, const Face<Dim>& face, const Vec<D
         const double w = nearestWeight<2>(x[face[0]], x[face[1]], point);
         return {1 - w, w};
     } else {  // the foot on the plane when it is within the triangle, else on the nearest edge
-        if (const Vec<3> foot = footWeights<3>(x, face, point); isWithin<3>(foot)) return foot;
+        if (Vec<3> foot = footWeights<3>(x, face, point); isWithin<3>(foot)) return foot;
         Vec<3> best = Vec<3>::Zero();
         double nearest = std::numeric_limits<double>::infinity();
         for (int k = 0; k < 3; ++k) {

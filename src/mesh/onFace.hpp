@@ -11,7 +11,8 @@ namespace pfem {
 /// without area: no numbers.
 template <int Dim>
 Vec<Dim> footWeights(const Points<Dim>& x, const Face<Dim>& face, const Vec<Dim>& point) {
-    const Vec<Dim> a = x[face[0]], b = x[face[1]] - a, p = point - a;
+    const Vec<Dim>& a = x[face[0]];
+    const Vec<Dim> b = x[face[1]] - a, p = point - a;
     if constexpr (Dim == 2) {
         const double s = b.dot(p) / b.squaredNorm();
         return {1 - s, s};

@@ -5,6 +5,14 @@
 
 namespace pfem {
 
+/// Indices of those that are marked.
+inline std::vector<int> chosen(const std::vector<unsigned char>& marked) {
+    std::vector<int> result;
+    for (std::size_t i = 0; i < marked.size(); ++i)
+        if (marked[i]) result.push_back(static_cast<int>(i));
+    return result;
+}
+
 /// The old neighbours of old node i that are still in the fluid, or the node that it has joined as a drop; new indices.
 /// `newIndex`: of the old nodes, -1: gone.
 template <int Dim>

@@ -57,14 +57,6 @@ std::vector<int> lastingSurface(const MovedMesh<Dim>& moved, const std::vector<i
     return surface;
 }
 
-/// Indices of those that are marked.
-std::vector<int> chosen(const std::vector<unsigned char>& marked) {
-    std::vector<int> result;
-    for (std::size_t i = 0; i < marked.size(); ++i)
-        if (marked[i]) result.push_back(static_cast<int>(i));
-    return result;
-}
-
 /// Nodes without triangles carry what they lack; those that have found one lack what they carried.
 template <int Dim>
 void exchangeWithDrops(const MovedMesh<Dim>& moved, const std::vector<int>& newIndex,

@@ -11,14 +11,6 @@ void share(double amount, const std::vector<int>& nodes, std::vector<double>& am
     for (const int node : nodes) amounts[node] += amount / static_cast<double>(nodes.size());
 }
 
-/// Indices of those that are marked.
-std::vector<int> chosen(const std::vector<unsigned char>& marked) {
-    std::vector<int> result;
-    for (std::size_t i = 0; i < marked.size(); ++i)
-        if (marked[i]) result.push_back(static_cast<int>(i));
-    return result;
-}
-
 /// Nodes that are written into fluid.vtu: of cells, and what is neither of a solid nor of a patch, drops and others.
 template <int Dim>
 std::vector<unsigned char> fluidNodes(const State<Dim>& state, const std::vector<unsigned char>& wet) {

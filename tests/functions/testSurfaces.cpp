@@ -102,7 +102,7 @@ TEST(Surfaces, FilesOfARunInSpace) {
     const std::string rubber = "rubber { type hypoelastic; rho 1000; E 1e6; nu 0.3; }";
     const CaseFolder folder(water3 + rubber, tank3Conditions, tank3Gravity);
     State<3> state = tank3();
-    state.mesh.materials.push_back("rubber");
+    state.mesh.materials.emplace_back("rubber");
     addLattice(state, state.mesh.solid, 1, {0.2, 0.2, 1}, {0.4, 0.5, 1.2}, 0.1);
     const std::string text =
         "s { type surfaces; fields (p U D); planes (((0.37 0 0) (2 0 0)) ((0 0.3 0) (0 -1 0))); freeSurface yes; "

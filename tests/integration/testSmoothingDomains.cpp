@@ -40,6 +40,23 @@ double polygonArea(const std::vector<Simplex<2>>& cells, const Points<2>& x) {
     return area;
 }
 
+// Four points near a square have no node near another; terms with |e| |grad N|^2 would grow with the inverse of the
+// height t. What sliverFactor leaves of them falls with t.
+TEST(Simplex, sliversCountLess) {
+    const auto term = [](double t, bool whole) {
+        const Points<3> x = {{0, 0, 0}, {1, 0, t}, {1, 1, 0}, {0, 1, t}};
+        const auto g = simplexGeometry<3>(x, {0, 1, 3, 2});
+        return std::abs(g.measure) * g.gradN[0].squaredNorm() * (whole ? 1 : sliverFactor<3>(g));
+    };
+    EXPECT_GT(term(0.001, true), 5 * term(0.01, true));
+    EXPECT_LT(term(0.001, false), term(0.01, false));
+    EXPECT_LT(term(0.0001, false), 0.3 * term(0.001, false));
+    const Points<3> regular = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+    EXPECT_EQ(sliverFactor<3>(simplexGeometry<3>(regular, {0, 1, 2, 3})), 1);
+    const Points<2> flat = {{0, 0}, {1, 0}, {0.5, 1e-6}};
+    EXPECT_EQ(sliverFactor<2>(simplexGeometry<2>(flat, {0, 1, 2})), 1);
+}
+
 TEST(Simplex, gradientsAreDerivativesOfTheMeasure) {
     // d|e|/dx_k = |e| grad N_k
     const Points<2> x2 = {{0.1, 0.2}, {1.3, 0.1}, {0.4, 0.9}};

@@ -46,7 +46,7 @@ inline State<2> sampleState() {
     const Points<2> x{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {2, 0}, {2, 1}, {0.3, 3.7}, {-0.5, 2}};
     s.nodes.resize(static_cast<int>(x.size()));
     for (std::size_t i = 0; i < x.size(); ++i) {
-        const double r = static_cast<double>(i);
+        const auto r = static_cast<double>(i);
         s.nodes.id[i] = static_cast<Id>(i * i * 3 + i);
         s.nodes.x[i] = x[i] + Vec<2>(1e-17 * r, 0.1 / (r + 3));
         s.nodes.X[i] = x[i];

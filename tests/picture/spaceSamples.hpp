@@ -20,7 +20,8 @@ inline int addNode(State<3>& state, const Vec<3>& x) {
 inline void addBox(State<3>& state, Cells<3>& cells, const Vec<3>& low, const Vec<3>& high, int n = 3) {
     const int first = state.nodes.size(), row = n + 1;
     for (int k = 0; k < row * row * row; ++k) {
-        const Vec<3> part = Vec<3>(k % row, k / row % row, k / row / row) / n;
+        const std::array<int, 3> at{k % row, k / row % row, k / row / row};
+        const Vec<3> part = Vec<3>(at[0], at[1], at[2]) / n;
         addNode(state, low + part.cwiseProduct(high - low));
     }
     const int step[3] = {1, row, row * row};

@@ -106,7 +106,7 @@ void checkCrossings(const Geometry& geometry) {
     for (const auto& [a, b, c] : s.triangles) triangles.push_back({s.x[a], s.x[b], s.x[c]});
     const BoxTree tree(triangles);
     for (int k = 0; k < s.size(); ++k) {
-        const auto& [p, q, r] = triangles[k];
+        const Vec<3>&p = triangles[k][0], &q = triangles[k][1], &r = triangles[k][2];
         tree.forEachIn(p.cwiseMin(q).cwiseMin(r), p.cwiseMax(q).cwiseMax(r), [&](int other) {
             if (other <= k) return;
             const auto &a = s.triangles[k], &b = s.triangles[other];

@@ -73,7 +73,7 @@ private:
         return value;
     }
     Vec<3> normal(const std::string& key) const {
-        const Vec<3> n = point(key);
+        Vec<3> n = point(key);
         if (!(n.norm() > 0)) dict_.fatal(key, "A normal must not be (0 0 0)");
         return n;
     }
@@ -196,7 +196,7 @@ Geometry readGeometry(const Dictionary& dict, const std::filesystem::path& caseF
     geometry.places = Places(dict);
     std::vector<std::string> types;
     for (const auto& [name, reader] : shapes()) types.push_back(name);
-    types.push_back("triSurfaceMesh");
+    types.emplace_back("triSurfaceMesh");
     const std::string type = dict.choice("type", types);
     if (type == "triSurfaceMesh") {
         geometry.surface = readFile(dict, caseFolder, geometry);

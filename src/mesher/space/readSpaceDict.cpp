@@ -13,7 +13,7 @@ namespace {
 
 double readSize(const Dictionary& dict) {
     if (!dict.found("meshSize")) return 0;
-    const double h = dict.get<double>("meshSize");
+    const auto h = dict.get<double>("meshSize");
     if (!(h > 0)) dict.fatal("meshSize", fmt::format("meshSize must be positive, not {:g}", h));
     return h;
 }

@@ -68,6 +68,7 @@ public:
         }
         return found;
     }
+    // NOLINTBEGIN(readability-identifier-naming): names that CGAL asks for
     struct Construct_initial_points {
         const Bodies& bodies;
         template <class Out>
@@ -111,6 +112,7 @@ public:
     Index index_from_subdomain_index(const Subdomain_index& i) const { return i; }
     Surface_patch_index surface_patch_index(const Index& i) const { return boost::get<Surface_patch_index>(i); }
     Subdomain_index subdomain_index(const Index& i) const { return boost::get<Subdomain_index>(i); }
+    // NOLINTEND(readability-identifier-naming)
 
 private:
     std::optional<SpaceDomain::Crossing> crossing(const Segment_3& s) const {
