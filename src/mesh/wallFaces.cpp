@@ -104,7 +104,8 @@ void setNormals(const Points<Dim>& x, std::vector<int>& parent, std::vector<Wall
 
 /// Nearest point of a face, and whether it lies on the edge opposite to a node and the point beyond it; else -1.
 std::pair<Vec<2>, int> nearestOn(const Points<2>& x, const Face<2>& face, const Vec<2>& point) {
-    const Vec<2> a = x[face[0]], t = x[face[1]] - a;
+    const Vec<2>& a = x[face[0]];
+    const Vec<2> t = x[face[1]] - a;
     const double s = (point - a).dot(t) / t.squaredNorm();
     if (s < 0) return {a, 1};
     if (s > 1) return {x[face[1]], 0};
@@ -190,7 +191,8 @@ void bend(const WallFace<Dim>& face, const Points<Dim>& x, const Vec<Dim>& point
     place.normal = inwardNormal<Dim>(x, face.nodes);
     if constexpr (Dim == 2) {
         if (!face.bent) return;
-        const Vec<2> a = x[face.nodes[0]], d = x[face.nodes[1]] - a;
+        const Vec<2>& a = x[face.nodes[0]];
+        const Vec<2> d = x[face.nodes[1]] - a;
         const auto tangent = [&](const Vec<2>& n) { return Vec<2>(d - n * n.dot(d)); };
         const Curve curve{a, d, tangent(face.normal[0]), tangent(face.normal[1])};
         double s = std::clamp(d.dot(point - a) / d.squaredNorm(), 0.0, 1.0);
