@@ -11,6 +11,7 @@
 #include "case/settings.hpp"
 #include "case/timeControl.hpp"
 #include "case/unfinished.hpp"
+#include "conditions/inflow.hpp"
 #include "functions/functionObjects.hpp"
 #include "io/stateFiles.hpp"
 #include "solver/checkProblem.hpp"
@@ -79,7 +80,8 @@ void advance(TimeControl& clock, Simulation<Dim>& simulation, Recorder<Dim>& rec
     RunSummary summary;
     while (clock.running(state.time)) {
         const CourantRate rate = courantRate<Dim>(state);
-        const double dt = clock.deltaT(state.time, {.courant = rate.largest,
+        const double coming = inletRate<Dim>(simulation.problem.conditions, state, state.time.value);
+        const double dt = clock.deltaT(state.time, {.courant = std::max(rate.largest, coming),
                                                     .relative = rate.relative,
                                                     .compression = rate.compression,
                                                     .gravityWave = gravityWaveRate<Dim>(simulation.problem, state),

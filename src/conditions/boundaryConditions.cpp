@@ -67,6 +67,8 @@ BoundaryConditions<Dim> readBoundaryConditions(const Dictionary& dict, const std
                                         " wall: only those have 'friction'");
         const PatchEntries entries = type.read ? type.read(entry, Dim == 2) : PatchEntries();
         result.friction.push_back(entries.friction);
+        result.inlet.push_back(entries.inlet);
+        result.outlet.push_back(entries.outlet);
         result.traction.push_back(Vec<Dim>::Zero());
         result.tractionOverTime.push_back(nullptr);
         if (!entries.traction) continue;

@@ -18,9 +18,17 @@ struct BoundaryConditions {
     std::vector<Function1Ptr<Eigen::Vector3d>> tractionOverTime;  // null: it stays as it is
     std::vector<std::shared_ptr<const WallMotion>> motion;        // null: at rest; walls and clamped patches only
 
-    std::vector<double> friction;  // c_f of slip walls [-], see momentum/wallFriction.hpp
-    double sideFriction = 0;       // (2D) c_f over the distance of the two walls in front and behind [1/m]
+    std::vector<double> friction;                       // c_f of slip walls [-], see momentum/wallFriction.hpp
+    std::vector<std::shared_ptr<const Inlet>> inlet;    // null: water does not come in there
+    std::vector<std::shared_ptr<const Outlet>> outlet;  // null: nor does it go
+    double sideFriction = 0;  // (2D) c_f over the distance of the two walls in front and behind [1/m]
 
+    bool anyInlet() const {
+        return std::any_of(inlet.begin(), inlet.end(), [](const auto& i) { return i != nullptr; });
+    }
+    bool anyOutlet() const {
+        return std::any_of(outlet.begin(), outlet.end(), [](const auto& o) { return o != nullptr; });
+    }
     bool anyMotion() const {
         return std::any_of(motion.begin(), motion.end(), [](const auto& m) { return m != nullptr; });
     }

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "conditions/inflow.hpp"
 #include "mesh/simplex.hpp"
 
 namespace pfem {
@@ -64,6 +65,40 @@ struct NormalCollector {
     }
 };
 
+/// The motion of nodes at inlets, after those of the patches: per node its number, -1: none, and whether it is pinned.
+struct Driven {
+    int motion = -1;
+    bool pinned = false;
+};
+
+template <int Dim>
+std::vector<Driven> addDriven(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology,
+                              const Nodes<Dim>& nodes, double t0, double t1, std::vector<RigidStep<Dim>>& motions) {
+    std::vector<Driven> by(nodes.x.size());
+    for (const auto& [node, motion, pinned] : drivenNodes<Dim>(conditions, topology, nodes.x, nodes.h, t0, t1)) {
+        by[node] = {static_cast<int>(motions.size()), pinned};
+        motions.push_back(motion);
+    }
+    return by;
+}
+
+/// At an inlet a node goes with the prescribed velocity, at the free surface across the patch only; an outlet that
+/// guides the water takes what is along it.
+template <int Dim>
+void holdAtOpening(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology, const Points<Dim>& x,
+                   int i, const Driven& driven, Hold<Dim>& hold) {
+    for (const int wall : topology.supports[i]) {
+        if (wall < 0 || !topology.isOpening(wall)) continue;
+        const Vec<Dim> normal = inwardNormal<Dim>(x, topology.walls[wall].nodes);
+        if (driven.motion >= 0) hold.along(normal, driven.motion);
+        const auto& outlet = conditions.outlet[topology.walls[wall].patch];
+        if (!outlet || !outlet->guides() || topology.freeSurface[i]) continue;
+        const Tensor<Dim> basis = basisAround<Dim>(normal);
+        for (int c = 0; c + 1 < Dim; ++c) hold.along(basis.col(c), -1);
+    }
+    if (driven.pinned) hold.wholly(driven.motion);
+}
+
 }  // namespace
 
 template <int Dim>
@@ -75,6 +110,7 @@ NodeConstraints<Dim> nodeConstraints(const Mesh<Dim>& mesh, const BoundaryCondit
     c.followed.assign(n, -1);
     for (const auto& motion : conditions.motion)
         c.motion.push_back(motion ? motion->template step<Dim>(t0, t1) : RigidStep<Dim>());
+    const auto drivenBy = addDriven<Dim>(conditions, topology, nodes, t0, t1, c.motion);
     const auto moverOf = [&](int patch) { return conditions.motion[patch] ? patch : -1; };
 
     NormalCollector<Dim> planes(n);
@@ -99,6 +135,7 @@ NodeConstraints<Dim> nodeConstraints(const Mesh<Dim>& mesh, const BoundaryCondit
         int sticksTo = -1;
         for (int k = 0; topology.onWall[i] && k < Dim && topology.supports[i][k] >= 0; ++k) {
             const int wall = topology.supports[i][k], patch = topology.walls[wall].patch;
+            if (topology.isOpening(wall)) continue;
             const PatchType& type = *conditions.type[patch];
             const int mover = moverOf(patch);
             Vec<Dim> normal = placeOnRegion<Dim>(topology.walls, nodes.x, wall, nodes.x[i]).normal;
@@ -107,6 +144,7 @@ NodeConstraints<Dim> nodeConstraints(const Mesh<Dim>& mesh, const BoundaryCondit
             if ((topology.freeSurface[i] ? type.contactLine : type.wet) == Constraint::fixed) sticksTo = patch;
         }
         if (sticksTo >= 0) hold.wholly(moverOf(sticksTo));
+        if (topology.onOpening(i)) holdAtOpening<Dim>(conditions, topology, nodes.x, i, drivenBy[i], hold);
         c.freedom[i] = hold.freedom();
         if (!hold.moves()) continue;
         c.followed[i] = static_cast<int>(c.following.size());

@@ -23,7 +23,7 @@ struct NodeConstraints {
     std::vector<Freedom<Dim>> freedom;
     std::vector<int> followed;  // per node: its Following, -1: what is held is at rest
     std::vector<Following<Dim>> following;
-    std::vector<RigidStep<Dim>> motion;  // over the step, of the patches
+    std::vector<RigidStep<Dim>> motion;  // over the step, of the patches, then of nodes that inlets drive
 
     /// The part of u that node i may perform.
     Vec<Dim> project(int i, const Vec<Dim>& u) const { return freedom[i].project(u); }
@@ -57,7 +57,7 @@ private:
 /// Constraints of all nodes for the step from t0 to t1. On symmetry patches normals come from the reference positions
 /// X; those that differ by less than 20 degrees are one. A fluid node on a slip wall slides over it, along the edge of
 /// two; on a no-slip wall it sticks, except at the contact line, which could not move otherwise. Clamps hold before
-/// walls. What is held follows the motion of its patch.
+/// walls. What is held follows the motion of its patch; at openings see holdAtOpening (constraints.cpp).
 template <int Dim>
 NodeConstraints<Dim> nodeConstraints(const Mesh<Dim>& mesh, const BoundaryConditions<Dim>& conditions,
                                      const Topology<Dim>& topology, const Nodes<Dim>& nodes, double t0, double t1);

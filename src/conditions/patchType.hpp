@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "conditions/openings.hpp"
 #include "dictionary/entries.hpp"
-#include "dictionary/function1.hpp"
 #include "mesh/topology.hpp"
 
 namespace pfem {
@@ -22,7 +22,9 @@ enum class Constraint : unsigned char {
 /// What the entries of a patch say beside `type` and `motion`.
 struct PatchEntries {
     Function1Ptr<Eigen::Vector3d> traction;  // load per area over time [Pa]; null: none
-    double friction = 0;  // c_f of a wall along which water slides [-], see momentum/wallFriction.hpp
+    double friction = 0;                   // c_f of a wall along which water slides [-], see momentum/wallFriction.hpp
+    std::shared_ptr<const Inlet> inlet;    // what comes in; null: nothing
+    std::shared_ptr<const Outlet> outlet;  // what lets water go; null: nothing
 };
 
 struct PatchType {

@@ -9,6 +9,8 @@ PatchType noSlipPatch();
 PatchType clampedPatch();
 PatchType symmetryPatch();
 PatchType tractionPatch();
+PatchType inletPatch();
+PatchType outletPatch();
 
 const std::vector<PatchType>& patchTypes() {
     static const std::vector<PatchType> types{
@@ -17,6 +19,8 @@ const std::vector<PatchType>& patchTypes() {
         clampedPatch(),   //
         symmetryPatch(),  //
         tractionPatch(),  //
+        inletPatch(),     //
+        outletPatch(),    //
     };
     return types;
 }

@@ -12,7 +12,8 @@ namespace pfem {
 
 namespace {
 
-/// Numbering of the coupled matrix: pressures, solid velocities, velocities of free-surface nodes.
+/// Numbering of the coupled matrix: pressures, solid velocities, velocities of nodes at the free surface and at
+/// outlets.
 struct Unknowns {
     std::vector<int> pressure;  // per node: its pressure unknown or -1
     std::vector<int> surface;   // per node: first velocity unknown of a moving free-surface node or -1
@@ -33,7 +34,8 @@ Unknowns numberUnknowns(const Topology<Dim>& topology, const NodeConstraints<Dim
     u.n = u.nPressure + nSolid;
     if (strong) return u;
     for (int i = 0; i < topology.nNodes(); ++i) {
-        if (!topology.freeSurface[i] || topology.onSolid[i] || !constraints.freedom[i].any()) continue;
+        if (!topology.freeSurface[i] && !(topology.wet(i) && topology.onOpening(i))) continue;
+        if (topology.onSolid[i] || !constraints.freedom[i].any()) continue;
         u.surface[i] = u.n;
         u.n += Dim;
     }

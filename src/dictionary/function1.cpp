@@ -59,6 +59,7 @@ Function1Ptr<T> readBlock(const Dictionary& dict) {
         return std::make_shared<Table1<T>>(readTableFile<T>(dict), readOutOfBounds(dict), dict.where("file"));
     if (type == "scale")
         return std::make_shared<Scale<T>>(readFunction1<double>(dict, "scale"), readFunction1<T>(dict, "value"));
+    if (type == "waveMaker") return readMakerMotion<T>(dict);
     return std::make_shared<Wave<T>>(readWave<T>(dict, type == "square"));
 }
 
@@ -92,7 +93,7 @@ std::optional<Difference<T>> difference(const Function1<T>& f, double t, double 
 }  // namespace
 
 std::vector<std::string> function1Types() {
-    return {"constant", "expression", "polynomial", "scale", "sine", "square", "table", "tableFile"};
+    return {"constant", "expression", "polynomial", "scale", "sine", "square", "table", "tableFile", "waveMaker"};
 }
 
 // Nothing says how fast the function changes, in which unit of time: of steps that become shorter and shorter the one

@@ -6,8 +6,9 @@
 //     displacement  polynomial (((1 0 0) (2 2 2)));       // sum of coefficient * t^exponent, by component
 //     displacement  expression ("0.1*sin(2*pi*t)" "0" "0");
 //     displacement  { type sine; frequency 2; scale (0.1 0 0); }
+//     displacement  { type waveMaker; theory secondOrder; depth 0.4; height 0.1; period 1.5; }
 //
-// Types: constant, table, tableFile, polynomial, sine, square, scale, expression.
+// Types: constant, table, tableFile, polynomial, sine, square, scale, expression, waveMaker (waves/makerSignal.hpp).
 
 #include <Eigen/Core>
 #include <memory>

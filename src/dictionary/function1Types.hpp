@@ -125,6 +125,8 @@ std::vector<std::string> readFormulas(TokenReader& tokens);
 template <class T>
 WaveEntries<T> readWave(const Dictionary& dict, bool square);
 template <class T>
+Function1Ptr<T> readMakerMotion(const Dictionary& dict);
+template <class T>
 Pairs<T> readTableFile(const Dictionary& dict);
 OutOfBounds readOutOfBounds(const Dictionary& dict);
 

@@ -91,6 +91,7 @@ Topology<Dim> makeTopology(const Mesh<Dim>& mesh, const std::vector<PatchKind>& 
                            const std::vector<Supports<Dim>>& wall) {
     const int nNodes = static_cast<int>(wall.size());
     Topology<Dim> t;
+    t.kinds = kinds;
     t.fluid = nodeToCells<Dim>(mesh.fluid.nodes, nNodes);
     t.solid = nodeToCells<Dim>(mesh.solid.nodes, nNodes);
     auto [ring, boundary] = surroundings<Dim>(mesh.fluid.nodes, t.fluid);

@@ -14,10 +14,12 @@ namespace pfem {
 enum class PatchKind {
     wall,      // rigid: fluid nodes land on it and leave it
     symmetry,  // a plane that cuts a body
-    edge       // of a solid
+    edge,      // of a solid
+    opening    // a wall through which fluid comes or goes: nodes on it are held as on walls, but pass through it
 };
 
-inline bool isWall(PatchKind kind) { return kind == PatchKind::wall; }
+/// Does it hold fluid nodes (openings do)?
+inline bool isWall(PatchKind kind) { return kind == PatchKind::wall || kind == PatchKind::opening; }
 
 /// Which patches are walls.
 inline std::vector<bool> wallPatches(const std::vector<PatchKind>& kinds) {
@@ -71,12 +73,20 @@ struct Topology {
     std::vector<unsigned char> wallPoint;     // of a rigid wall: geometry, no node of the fluid
     std::vector<unsigned char> onWall;        // of the fluid, held by a rigid wall
     std::vector<unsigned char> freeSurface;   // node of a free-surface face
+    std::vector<PatchKind> kinds;             // of the patches
 
     int nNodes() const { return static_cast<int>(onSolid.size()); }
     bool wet(int node) const { return fluid.count(node) > 0; }
     bool isolated(int node) const { return !wet(node) && ofFluid(node); }
     bool interface(int node) const { return wet(node) && onSolid[node]; }
     bool ofFluid(int node) const { return !onSolid[node] && !wallPoint[node]; }  // and of nothing else
+
+    bool isOpening(int wall) const { return walls[wall].patch >= 0 && kinds[walls[wall].patch] == PatchKind::opening; }
+    /// Of the fluid, held by an inlet or an outlet (and perhaps by walls, too).
+    bool onOpening(int node) const {
+        const auto& own = supports[node];
+        return onWall[node] && std::any_of(own.begin(), own.end(), [&](int w) { return w >= 0 && isOpening(w); });
+    }
 
     /// Are two wall faces of one region, or of two between which water flows round a convex edge?
     bool joined(int face, int other) const {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "mesher/fillLevel.hpp"
+
 namespace pfem {
 
 namespace {
@@ -145,8 +147,17 @@ MeshDescription readMeshDict(const Dictionary& dict, const std::vector<std::stri
     if (fromFile) readMeshFileEntries(dict, meshSize, mesh);
     if (!fromFile) mesh.meshSize = readSize(dict);
     if (!fromFile && meshSize > 0) mesh.meshSize = meshSize;
-    for (const auto& body : dict.dictList("bodies"))
-        mesh.bodies.push_back(fromFile ? readFileBody(body, materials) : readBody(body, materials));
+    for (const auto& body : dict.dictList("bodies")) {
+        if (fromFile) {
+            mesh.bodies.push_back(readFileBody(body, materials));
+            continue;
+        }
+        const Body whole = readBody(body, materials);
+        if (body.found("level"))
+            for (auto& pool : filledUpTo(body.get<double>("level"), whole)) mesh.bodies.push_back(std::move(pool));
+        else
+            mesh.bodies.push_back(whole);
+    }
     if (mesh.bodies.empty()) dict.fatal("bodies", "There is no body to mesh");
     if (!fromFile && dict.found("refinements"))
         for (const auto& refinement : dict.dictList("refinements"))

@@ -4,6 +4,7 @@
 #include "momentum/bentWalls.hpp"
 #include "momentum/mass.hpp"
 #include "momentum/meniscus.hpp"
+#include "momentum/outletPressure.hpp"
 #include "momentum/wallFriction.hpp"
 
 namespace pfem {
@@ -32,6 +33,7 @@ Points<Dim> externalForce(const Mesh<Dim>& mesh, const Topology<Dim>& topology, 
     auto force = tractionForce<Dim>(mesh, fluid.problem.conditions, nodes.x);
     addChordPressure<Dim>(topology, nodes, force);
     addMeniscus<Dim>(fluid.problem, mesh.fluid, topology, nodes, force);
+    addOutletPressure<Dim>(fluid.problem, mesh.fluid, topology, nodes.x, force);
     addWallFriction<Dim>(fluid.problem, mesh.fluid, topology, nodes, force);
     addSideFriction<Dim>(fluid.problem, mesh.fluid, fluid.domains, nodes.v, force);
     return force;

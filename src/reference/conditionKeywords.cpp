@@ -24,13 +24,35 @@ std::vector<KeywordTable> conditionKeywords() {
          "motion",
          "A rigid motion: a displacement, or a turn about a point that is displaced, or both. Values of time are "
          "written as "
-         "OpenFOAM's: constant, table, tableFile, polynomial, sine, square, scale; also expression.",
+         "OpenFOAM's: constant, table, tableFile, polynomial, sine, square, scale; also expression and waveMaker.",
          {{"displacement", "vector of time", "m", "none", "from the place at time 0", ""},
           {"velocity", "vector of time", "m/s", "none", "instead of displacement", ""},
           {"angle", "scalar of time", "rad", "none", "of the turn since time 0, counter-clockwise", ""},
           {"omega", "scalar of time", "rad/s", "none", "instead of angle", ""},
           {"origin", "vector", "m", "required for a turn", "the point that is turned about, at time 0", ""},
           {"axis", "vector", "-", "(0 0 1)", "of the turn", ""}}},
+        {conditions,
+         "motion: type waveMaker",
+         "How a wave maker moves for the waves that one wants: as displacement of a piston, or as angle of a flap that "
+         "turns about the bed.",
+         {{"theory", "word", "-", "airy",
+           "regular waves (airy; secondOrder: without free second harmonics), one solitary wave, a sea, a focused "
+           "group",
+           "one of: airy secondOrder solitary jonswap piersonMoskowitz focused"},
+          {"maker", "word", "-", "piston", "what moves", "one of: piston flap"},
+          {"depth", "scalar", "m", "required", "of the still water", "> 0"},
+          {"height", "scalar", "m", "required",
+           "of the waves; of a sea the significant one, of a focused group its crest", "> 0"},
+          {"period", "scalar", "s", "required but for solitary", "of a sea that of the spectrum's peak", "> 0"},
+          {"ramp", "scalar", "s", "period", "time in which the motion grows to its full size", ""},
+          {"start", "scalar", "s", "0", "at rest before", ""},
+          {"gamma", "scalar", "-", "3.3", "peak enhancement of JONSWAP", ""},
+          {"components", "int", "-", "200", "sines of a sea", ">= 1"},
+          {"seed", "int", "-", "1", "of the phases: another number, another sea of the same spectrum", ""},
+          {"focusTime", "scalar", "s", "required for focused", "when the crests meet", ""},
+          {"focusPlace", "scalar", "m", "0", "and how far from the wave maker", ""},
+          {"gravity", "scalar", "m/s2", "9.81", "for the wave numbers", "> 0"},
+          {"scale", "vector or scalar", "-", "(1 0 0), of an angle 1", "direction of the motion", ""}}},
     };
 }
 

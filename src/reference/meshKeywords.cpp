@@ -35,6 +35,8 @@ std::vector<KeywordTable> meshKeywords() {
                "than half of it only what shows at that size is kept (within 0.05 of it)",
                ""},
               arcs,
+              {"level", "scalar", "m", "none",
+               "still water: the body is filled up to this height y; what of its outline is above is cut off", ""},
               size,
               velocity("(0 0)", "\"-2*y\" \"2*x\""),
               {"pattern", "word", "-", "unstructured", "regular meshes are for bodies with four vertices",

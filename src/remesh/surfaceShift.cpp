@@ -17,7 +17,7 @@ std::vector<int> movableSurface(const Topology<Dim>& topology, const Mesh<Dim>& 
     const auto kept = keptNodes<Dim>(mesh, topology.nNodes());
     std::vector<int> surface;
     for (int i = 0; i < topology.nNodes(); ++i)
-        if (topology.freeSurface[i] && !kept[i]) surface.push_back(i);
+        if (topology.freeSurface[i] && !kept[i] && !topology.onOpening(i)) surface.push_back(i);
     return surface;
 }
 

@@ -101,7 +101,7 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
     }
     try {
         checkInvariants<Dim>(controls.convergence, motion.topology, last, state);
-        checkSpeedGain<Dim>(allowed, state.nodes);
+        checkSpeedGain<Dim>(allowed, state.nodes, last.nextId);
     } catch (const StepFailure& failure) {
         throw FailedStep<Dim>(failure, std::move(state));
     }

@@ -13,6 +13,7 @@ Nodes<Dim> consistentStart(Problem<Dim> problem, const Controls& asGiven, const 
     const Nodes<Dim>& nodes = state.nodes;
     // a fluid without free surface has its pressure up to a constant: a trace of compressibility says which
     const bool open =
+        problem.conditions.anyOutlet() ||
         std::find(topology.freeSurface.begin(), topology.freeSurface.end(), 1) != topology.freeSurface.end();
     double h = 0;
     for (double size : nodes.h) h = std::max(h, size);

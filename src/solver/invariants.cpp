@@ -164,8 +164,9 @@ double allowedSpeed(const Topology<Dim>& topology, const Nodes<Dim>& nodes) {
 }
 
 template <int Dim>
-void checkSpeedGain(double allowed, const Nodes<Dim>& nodes) {
-    const int found = parallelFirst(nodes.size(), [&](int i) { return nodes.v[i].norm() > allowed * (1 + 1e-9); });
+void checkSpeedGain(double allowed, const Nodes<Dim>& nodes, Id firstNew) {
+    const int found = parallelFirst(
+        nodes.size(), [&](int i) { return nodes.id[i] < firstNew && nodes.v[i].norm() > allowed * (1 + 1e-9); });
     if (found < nodes.size())
         fail<Dim>(
             nodes, found,
@@ -178,7 +179,7 @@ void checkSpeedGain(double allowed, const Nodes<Dim>& nodes) {
                                      const State<D>&);                                                \
     template void checkSpeed<D>(const ConvergenceControls&, const Nodes<D>&);                         \
     template double allowedSpeed<D>(const Topology<D>&, const Nodes<D>&);                             \
-    template void checkSpeedGain<D>(double, const Nodes<D>&);
+    template void checkSpeedGain<D>(double, const Nodes<D>&, Id);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

@@ -1,6 +1,8 @@
 #pragma once
 // What every accepted state obeys, checked after each step at small cost.
 
+#include <limits>
+
 #include "mesh/topology.hpp"
 #include "solver/controls.hpp"
 #include "state/state.hpp"
@@ -24,8 +26,9 @@ double allowedSpeed(const Topology<Dim>& topology, const Nodes<Dim>& nodes);
 
 /// Throws StepFailure when a node is faster than `allowed`, by more than round-off. Landing, contacts
 /// (solver/impact.hpp) and new nodes keep to it by their formulas: no try is rejected but by a mistake in one of them.
+/// Nodes from the id `firstNew` on are not looked at: an inlet may lay them into calm water.
 template <int Dim>
-void checkSpeedGain(double allowed, const Nodes<Dim>& nodes);
+void checkSpeedGain(double allowed, const Nodes<Dim>& nodes, Id firstNew = std::numeric_limits<Id>::max());
 
 /// Throws StepFailure when a node would cross its own mesh size within deltaTMin: no step could be small enough.
 template <int Dim>

@@ -40,11 +40,15 @@ std::string stepLines(const AdvanceReport& report, const State<Dim>& state, doub
         fmt::format("Mesh: {} nodes, {} fluid {}, removed {}, inserted {}, returned {}\n", state.nodes.size(),
                     state.mesh.fluid.size(), cellsOf(Dim), report.mesh.removed, report.mesh.inserted, report.returned);
     const double change = state.ledger.sum(CauseKind::gainOrLoss), correction = state.ledger[VolumeCause::correction],
-                 gone = state.ledger[VolumeCause::gone], volume = totalVolume<Dim>(state);
+                 volume = totalVolume<Dim>(state);
+    std::string passed;
+    for (const auto& [name, amount] : state.ledger.byName())
+        for (const auto& cause : Causes<VolumeCause>::table)
+            if (cause.kind == CauseKind::passage && cause.name == name && amount != 0)
+                passed += fmt::format(", {} = {:.3g} %", name, 100 * amount / firstVolume);
     if (firstVolume > 0)  // a case may have solids only
         text += fmt::format("Fluid volume = {:.6g}, change = {:.3g} %, raw = {:.3g} %{}\n", volume,
-                            100 * change / firstVolume, 100 * (change - correction) / firstVolume,
-                            gone != 0 ? fmt::format(", gone = {:.3g} %", 100 * gone / firstVolume) : "");
+                            100 * change / firstVolume, 100 * (change - correction) / firstVolume, passed);
     return text;
 }
 

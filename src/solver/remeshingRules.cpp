@@ -10,7 +10,9 @@
 #include "solver/courantRate.hpp"
 #include "solver/fluidEnergy.hpp"
 #include "solver/impact.hpp"
+#include "walls/dryInlets.hpp"
 #include "walls/landing.hpp"
+#include "walls/openings.hpp"
 #include "walls/penetration.hpp"
 #include "walls/release.hpp"
 
@@ -35,6 +37,37 @@ ViscousFluid heaviestFluid(const Problem<Dim>& problem) {
     for (const auto& material : problem.materials)
         if (material.kind == MaterialKind::fluid && material.fluid.rho > result.rho) result = material.fluid;
     return result;
+}
+
+template <int Dim>
+PassageStep<Dim> passageOf(const RemeshingContext<Dim>& c, const State<Dim>& state) {
+    const double t0 = state.time.value;
+    return {c.problem.conditions, c.motion.topology, c.motion.xOld, t0, t0 + c.motion.dt};
+}
+
+template <int Dim>
+void comeIn(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>&) {
+    drawFromInlets<Dim>(passageOf<Dim>(c, state), c.controls.expert.walls, state);
+}
+
+template <int Dim>
+void wetInlets(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>&) {
+    fillDryInlets<Dim>(passageOf<Dim>(c, state), state);
+}
+
+template <int Dim>
+void goOut(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>& outcome) {
+    outcome.leaving = letThroughOutlets<Dim>(passageOf<Dim>(c, state), state);
+}
+
+template <int Dim>
+bool hasInlets(const RemeshingContext<Dim>& c, const State<Dim>&) {
+    return c.problem.conditions.anyInlet();
+}
+
+template <int Dim>
+bool hasOutlets(const RemeshingContext<Dim>& c, const State<Dim>&) {
+    return c.problem.conditions.anyOutlet();
 }
 
 template <int Dim>
@@ -68,7 +101,10 @@ void chargeNodes(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOut
 
 template <int Dim>
 void findLeavers(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>& outcome) {
-    outcome.leaving = goneForGood<Dim>(c.motion.topology, c.problem.gravity, c.problem.conditions.anyMotion(), state);
+    for (const int drop :
+         goneForGood<Dim>(c.motion.topology, c.problem.gravity, c.problem.conditions.anyMotion(), state))
+        if (std::find(outcome.leaving.begin(), outcome.leaving.end(), drop) == outcome.leaving.end())
+            outcome.leaving.push_back(drop);
 }
 
 template <int Dim>
@@ -109,6 +145,8 @@ bool dropsMayGo(const RemeshingContext<Dim>& c, const State<Dim>&) {
 template <int Dim>
 const std::vector<RemeshingRule<Dim>>& remeshingRules() {
     static const std::vector<RemeshingRule<Dim>> rules{
+        {"inlets", VolumeCause::inflow, comeIn<Dim>, hasInlets<Dim>},
+        {"outlets", VolumeCause::outflow, goOut<Dim>, hasOutlets<Dim>},
         {"surfaceShift", VolumeCause::surface, makeUpAtSurface<Dim>},
         {"releaseFromWalls", VolumeCause::released, release<Dim>},
         {"landOnWalls", VolumeCause::landed, land<Dim>},
@@ -117,6 +155,7 @@ const std::vector<RemeshingRule<Dim>>& remeshingRules() {
         {"letGo", {}, findLeavers<Dim>, dropsMayGo<Dim>},
         {"remesh", {}, reconnect<Dim>},
         {"strike", {}, stopEachOther<Dim>},
+        {"dryInlets", {}, wetInlets<Dim>, hasInlets<Dim>},
     };
     return rules;
 }

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "dictionary/dimensions.hpp"
+#include "solver/checkOpenings.hpp"
 #include "solver/checkProblem.hpp"
 #include "solver/formerEntries.hpp"
 
@@ -63,6 +64,7 @@ Problem<Dim> readProblem(const Case& theCase, const State<Dim>& state, std::ostr
     const Dictionary conditions = Dictionary::read(theCase.constant("boundaryConditions"));
     problem.conditions = readBoundaryConditions<Dim>(conditions, mesh.patches);
     checkConditions<Dim>(conditions, problem.conditions, state);
+    checkOpenings<Dim>(conditions, problem.conditions, state);
     for (const auto* dict : {&materials, &g, &conditions})
         if (warnings) warnUnused(*dict, *warnings);
     if (warnings && state.time.index == 0)

@@ -9,8 +9,10 @@
     CAUSE(contact, gainOrLoss, always, "triangles that became fluid where surfaces met")                        \
     CAUSE(correction, gainOrLoss, always, "given back by the continuity equation where nodes lacked it")        \
     CAUSE(gone, passage, onceBooked, "drops that have left for good")                                           \
+    CAUSE(inflow, passage, onceBooked, "water that inlets have brought")                                        \
     CAUSE(isolated, gainOrLoss, always, "what particles without triangles carry")                               \
     CAUSE(landed, gainOrLoss, always, "nodes put on walls")                                                     \
+    CAUSE(outflow, passage, onceBooked, "water that has left through outlets, negative")                        \
     CAUSE(released, gainOrLoss, always,                                                                         \
           "nodes that walls let go, triangles that carried a node of a wall or solid alone")                    \
     CAUSE(reshaped, gainOrLoss, always, "other triangles between the same nodes, removed nodes of the surface") \

@@ -27,6 +27,7 @@ Arrival Arrivals<Dim>::first(int i) const {
     // the foot of a place behind a face is no farther away than the way to it was long
     const double radius = distance_ * nodes_.h[i] + (x - old).norm() + travel_;
     bins_.forEachNear(x.cwiseMin(old), x.cwiseMax(old), radius, [&](int wall) {
+        if (topology_.isOpening(wall)) return;  // walls/openings.hpp
         const Arrival arrival = at(i, wall);
         if (arrival.part > first.part || (arrival.part == first.part && wall >= first.wall)) return;
         if (!isHeldBy<Dim>(topology_, nodes_.wall[i], wall)) first = arrival;

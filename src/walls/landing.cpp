@@ -27,16 +27,22 @@ public:
     /// Those who slide.
     void stay() {
         for (int i = 0; i < nodes_.size(); ++i)  // those who stay have the corners
-            if (isHeld(i) && nSupports(nodes_.wall[i]) == Dim) stayInCorner(i);
+            if (isHeld(i) && nSupports(nodes_.wall[i]) == Dim) {
+                if (isAtOpening(i))
+                    corners_.push_back(nodes_.x[i]);
+                else
+                    stayInCorner(i);
+            }
         for (int i = 0; i < nodes_.size(); ++i)
-            if (isHeld(i) && nSupports(nodes_.wall[i]) < Dim) stayOnWalls(i);
+            if (isHeld(i) && nSupports(nodes_.wall[i]) < Dim && !isAtOpening(i)) stayOnWalls(i);
     }
 
     /// Those who arrive.
     void land(const Arrivals<Dim>& arrivals, const Points<Dim>& xOld) {
         std::vector<Arrival> first(nodes_.size());
         parallelFor(nodes_.size(), [&](int i) {
-            if (topology_.ofFluid(i) && nSupports(nodes_.wall[i]) < Dim) first[i] = arrivals.first(i);
+            if (topology_.ofFluid(i) && nSupports(nodes_.wall[i]) < Dim && !isAtOpening(i))
+                first[i] = arrivals.first(i);
         });
         for (int i = 0; i < nodes_.size(); ++i) {
             Arrival arrival = first[i];
@@ -49,6 +55,11 @@ public:
     }
 
 private:
+    /// Openings put their nodes back themselves (walls/openings.hpp).
+    bool isAtOpening(int i) const {
+        const auto& own = nodes_.wall[i];
+        return std::any_of(own.begin(), own.end(), [&](int w) { return w >= 0 && topology_.isOpening(w); });
+    }
     bool isHeld(int i) const { return topology_.ofFluid(i) && isSupported(nodes_.wall[i]); }
 
     WallPlace<Dim> placeOn(int wall, const Vec<Dim>& point) const {

@@ -40,7 +40,7 @@ template <int Dim>
 void releaseFromWalls(const WallControls& controls, const Topology<Dim>& topology, const Vec<Dim>& gravity,
                       const ViscousFluid& fluid, double dt, Nodes<Dim>& nodes) {
     for (int i = 0; i < nodes.size(); ++i) {
-        if (!topology.onWall[i]) continue;
+        if (!topology.onWall[i] || topology.onOpening(i)) continue;
         const Grip<Dim> grip(topology, nodes, i);
         const Vec<Dim> slip = nodes.v[i] - grip.velocity;
         const double rate = slip.norm() / nodes.h[i];

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "../functions/caseFolder.hpp"
+#include "solver/checkOpenings.hpp"
 #include "solver/checkProblem.hpp"
 #include "solver/setup.hpp"
 #include "support/cases.hpp"
@@ -40,6 +41,39 @@ TEST(CheckProblem, conditionsFitTheirPatches) {
     EXPECT_EQ(refusedLine("slip", "noSlip", "clamped"), 0);
     EXPECT_EQ(refusedLine("noSlip", "slip", "symmetry"), 0);
     EXPECT_EQ(refusedLine("slip", "slip", "traction", 7), 0);
+}
+
+// Water that comes in must have somewhere to go.
+TEST(CheckProblem, inletsHaveAWayOut) {
+    const auto refused = [](const std::string& walls, const std::string& conditions) -> std::string {
+        const TestCase c = makeCase("meshSize 0.1; bodies ( pool { type fluid; material water; " +
+                                        rectangle(0, 0, 1, 0.5) + " } ); walls ( " + walls + " );",
+                                    water, conditions);
+        try {
+            checkOpenings<2>(Dictionary::parse(conditions, "boundaryConditions"), c.problem.conditions, c.state);
+        } catch (const UserError& error) {
+            return std::to_string(error.where().line) + ": " + error.what();
+        }
+        return "";
+    };
+    const std::string box =
+                          "bed { points ((0 0) (1 0)); } end { points ((1 0) (1 0.5)); } lid { points ((1 0.5) (0 "
+                          "0.5)); } left { points ((0 0.5) (0 0)); }",
+                      rest = "bed { type slip; } lid { type slip; }\nleft { type inlet; velocity 1; }\n";
+    EXPECT_NE(refused(box, rest + "end { type slip; }").find("closed box"), std::string::npos);
+    EXPECT_EQ(refused(box, rest + "end { type slip; }").substr(0, 2), "2:");
+    EXPECT_EQ(refused(box, rest + "end { type outlet; }"), "");
+    const std::string open =
+        "tank { points ((0 1) (0 0) (1 0) (1 1)); } nozzle { points ((0.55 0.8) (0.45 0.8)); } "
+        "table { points ((0.4 HEIGHT) (0.6 HEIGHT)); }";
+    const auto tableAt = [&](const std::string& height) {
+        std::string text = open;
+        for (auto at = text.find("HEIGHT"); at != std::string::npos; at = text.find("HEIGHT"))
+            text.replace(at, 6, height);
+        return refused(text, "tank { type slip; } table { type slip; }\nnozzle { type inlet; flowRate 1; }");
+    };
+    EXPECT_EQ(tableAt("0.58"), "");
+    EXPECT_NE(tableAt("0.65").find("comes against the wall 'table', 0.15 m in front"), std::string::npos);
 }
 
 // A node has one mean: solids of laws in rates and hyperelastic ones may touch with elemental integration only.

@@ -1,0 +1,178 @@
+#include "conditions/inflow.hpp"
+
+#include <cmath>
+
+#include "mesh/simplex.hpp"
+
+namespace pfem {
+
+namespace {
+
+/// Sticks the node to a no-slip wall?
+template <int Dim>
+bool sticks(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology, int node) {
+    for (const int wall : topology.supports[node])
+        if (wall >= 0 && !topology.isOpening(wall) &&
+            conditions.type[topology.walls[wall].patch]->wet == Constraint::fixed)
+            return true;
+    return false;
+}
+
+/// Is x on an edge with which the smooth region of the patch's face ends?
+template <int Dim>
+bool isOnEdge(const Topology<Dim>& topology, const Points<Dim>& points, int wall, const Vec<Dim>& x, double near) {
+    for (const auto& face : topology.walls) {
+        if (face.patch != topology.walls[wall].patch) continue;
+        for (int k = 0; k < Dim; ++k) {
+            if (face.bend[k] == Bend::smooth && face.next[k] >= 0 && topology.walls[face.next[k]].patch == face.patch)
+                continue;
+            if constexpr (Dim == 2) {
+                if ((points[face.nodes[1 - k]] - x).norm() < near) return true;
+            } else {
+                const Vec<3>&a = points[face.nodes[(k + 1) % 3]], &b = points[face.nodes[(k + 2) % 3]];
+                const double s = std::clamp((x - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+                if ((a + s * (b - a) - x).norm() < near) return true;
+            }
+        }
+    }
+    return false;
+}
+
+/// 4 s (1 - s), s from 0 to 1 between the ends of the patch along its first face.
+template <int Dim>
+std::function<double(const Vec<Dim>&)> parabola(const std::vector<Face<Dim>>& faces, const Points<Dim>& x) {
+    const Vec<Dim> origin = x[faces[0][0]], along = (x[faces[0][1]] - origin).normalized();
+    double low = 0, high = 0;
+    for (const auto& face : faces)
+        for (const int node : face) {
+            low = std::min(low, along.dot(x[node] - origin));
+            high = std::max(high, along.dot(x[node] - origin));
+        }
+    return [=](const Vec<Dim>& place) {
+        const double s = (along.dot(place - origin) - low) / (high - low);
+        return 4 * s * (1 - s);
+    };
+}
+
+/// Wet area of a patch.
+template <int Dim>
+double wetArea(const Topology<Dim>& topology, const Points<Dim>& x, int patch) {
+    double area = 0;
+    for (const auto& face : topology.faces)
+        if (face.wall >= 0 && topology.walls[face.wall].patch == patch) area += faceArea<Dim>(x, face.nodes).norm();
+    return area;
+}
+
+}  // namespace
+
+template <int Dim>
+InletSpread<Dim> inletSpread(const Inlet& inlet, const std::vector<Face<Dim>>& faces, const Points<Dim>& x, double t) {
+    InletSpread<Dim> spread;
+    spread.direction = inlet.direction.template head<Dim>();
+    if (inlet.direction.squaredNorm() == 0)  // of a wall's face the area points away from the fluid
+        for (const auto& face : faces) spread.direction -= faceArea<Dim>(x, face);
+    spread.direction.normalize();
+    switch (inlet.profile) {
+        case Inlet::Profile::uniform:
+            spread.speed = [](const Vec<Dim>&) { return 1.0; };
+            break;
+        case Inlet::Profile::parabolic:
+            spread.speed = parabola<Dim>(faces, x);
+            break;
+        case Inlet::Profile::expression:
+            spread.speed = [formula = std::make_shared<Expression>(*inlet.shape), t](const Vec<Dim>& place) {
+                return (*formula)({place[0], place[1], Dim == 3 ? place[Dim - 1] : 0, t});
+            };
+            break;
+    }
+    return spread;
+}
+
+template <int Dim>
+int inletOf(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology, int node) {
+    if (!topology.onWall[node]) return -1;
+    for (const int wall : topology.supports[node])
+        if (wall >= 0 && conditions.inlet[topology.walls[wall].patch]) return topology.walls[wall].patch;
+    return -1;
+}
+
+template <int Dim>
+std::vector<DrivenNode<Dim>> drivenNodes(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology,
+                                         const Points<Dim>& x, const std::vector<double>& h, double t0, double t1) {
+    std::vector<DrivenNode<Dim>> driven;
+    if (!conditions.anyInlet()) return driven;
+    std::vector<int> patchOf(x.size(), -1);
+    for (int i = 0; i < topology.nNodes(); ++i) patchOf[i] = inletOf<Dim>(conditions, topology, i);
+    std::vector<RigidStep<Dim>> step(x.size());
+    for (int k = 0; k < static_cast<int>(conditions.inlet.size()); ++k) {
+        if (!conditions.inlet[k]) continue;
+        const Inlet& inlet = *conditions.inlet[k];
+        std::vector<Face<Dim>> faces;
+        for (const auto& face : topology.walls)
+            if (face.patch == k) faces.push_back(face.nodes);
+        const auto spread = inletSpread<Dim>(inlet, faces, x, t1);
+        const Vec<Dim>& e = spread.direction;
+        const auto speed = [&](int i) { return sticks<Dim>(conditions, topology, i) ? 0 : spread.speed(x[i]); };
+        double swept = 0;  // per time, with c = 1
+        for (const auto& face : topology.faces)
+            if (face.kind == FaceKind::wall)
+                for (const int node : face.nodes)
+                    if (patchOf[node] == k) swept -= speed(node) * e.dot(faceArea<Dim>(x, face.nodes)) / Dim;
+        const double factor = swept > 0 ? (inlet.ofVolume ? 1 : wetArea<Dim>(topology, x, k)) / swept : 0;
+        for (int i = 0; i < topology.nNodes(); ++i) {
+            if (patchOf[i] != k) continue;
+            const Vec<Dim> unit = factor * speed(i) * e;
+            step[i].from = x[i];
+            step[i].to = x[i] + inlet.during(t0, t1) * unit;
+            step[i].velocity = inlet.at(t1) * unit;
+        }
+    }
+    for (int i = 0; i < topology.nNodes(); ++i) {
+        if (patchOf[i] < 0) continue;
+        bool pinned = !topology.freeSurface[i] || sticks<Dim>(conditions, topology, i);
+        for (const int wall : topology.supports[i])
+            if (!pinned && wall >= 0 && topology.isOpening(wall))
+                pinned = isOnEdge<Dim>(topology, x, wall, x[i], 1e-6 * h[i]);
+        driven.push_back({i, step[i], pinned});
+    }
+    return driven;
+}
+
+template <int Dim>
+double prescribedInflow(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology, const Points<Dim>& x,
+                        int patch, double t0, double t1) {
+    const Inlet& inlet = *conditions.inlet[patch];
+    const double area = wetArea<Dim>(topology, x, patch);
+    return area == 0 ? 0 : inlet.during(t0, t1) * (inlet.ofVolume ? 1 : area);
+}
+
+template <int Dim>
+double inletRate(const BoundaryConditions<Dim>& conditions, const State<Dim>& state, double t) {
+    constexpr double peak = 1.5;  // of a parabola over its mean
+    double rate = 0;
+    for (std::size_t k = 0; k < conditions.inlet.size(); ++k) {
+        if (!conditions.inlet[k]) continue;
+        const Inlet& inlet = *conditions.inlet[k];
+        double area = 0, h = std::numeric_limits<double>::max();
+        for (const auto& face : state.mesh.patches[k].faces) {
+            area += faceArea<Dim>(state.nodes.x, face).norm();
+            for (const int node : face) h = std::min(h, state.nodes.h[node]);
+        }
+        const double speed = std::abs(inlet.at(t)) / (inlet.ofVolume ? area : 1);
+        rate = std::max(rate, (inlet.profile == Inlet::Profile::uniform ? 1 : peak) * speed / h);
+    }
+    return rate;
+}
+
+#define PFEM_INSTANTIATE(D)                                                                                           \
+    template InletSpread<D> inletSpread<D>(const Inlet&, const std::vector<Face<D>>&, const Points<D>&, double);      \
+    template int inletOf<D>(const BoundaryConditions<D>&, const Topology<D>&, int);                                   \
+    template std::vector<DrivenNode<D>> drivenNodes<D>(const BoundaryConditions<D>&, const Topology<D>&,              \
+                                                       const Points<D>&, const std::vector<double>&, double, double); \
+    template double inletRate<D>(const BoundaryConditions<D>&, const State<D>&, double);                              \
+    template double prescribedInflow<D>(const BoundaryConditions<D>&, const Topology<D>&, const Points<D>&, int,      \
+                                        double, double);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
+
+}  // namespace pfem

@@ -1,0 +1,51 @@
+#pragma once
+// How inlets drive the nodes that are on them: like a piston that bends. The step is Lagrangian there as everywhere;
+// after it the nodes are put back onto the patch (walls/openings.hpp), and what they swept is new water.
+
+#include <functional>
+
+#include "conditions/boundaryConditions.hpp"
+#include "state/state.hpp"
+
+namespace pfem {
+
+/// How the water of an inlet is spread over the patch with these faces, at time t.
+template <int Dim>
+struct InletSpread {
+    Vec<Dim> direction;                            // unit vector, into the fluid
+    std::function<double(const Vec<Dim>&)> speed;  // at a place, up to a factor
+};
+template <int Dim>
+InletSpread<Dim> inletSpread(const Inlet& inlet, const std::vector<Face<Dim>>& faces, const Points<Dim>& x, double t);
+
+/// A node that an inlet drives.
+template <int Dim>
+struct DrivenNode {
+    int node;
+    RigidStep<Dim> motion;  // a translation
+    bool pinned;            // wholly; else (the free surface at an inlet that is not full) only across the patch
+};
+
+/// The inlet patch that holds a node, -1: none.
+template <int Dim>
+int inletOf(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology, int node);
+
+/// All driven nodes for the step from t0 to t1, of ascending index. With the speed u = c s e (s: shape, e: direction)
+/// of the nodes, linear between them, c is such that the faces around them sweep the prescribed volume,
+///     c sum_f |f|/Dim sum_{I in f} s_I e . n_f = flow rate        (velocity: flow rate = velocity times the wet area).
+/// A node on a no-slip wall stays: s = 0. At the free surface a node is pinned on an edge of the patch (lips of a
+/// nozzle), and slides up and down between.
+template <int Dim>
+std::vector<DrivenNode<Dim>> drivenNodes(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology,
+                                         const Points<Dim>& x, const std::vector<double>& h, double t0, double t1);
+
+/// Volume that the inlet `patch` is to bring from t0 to t1 through wet faces [m2 (2D), m3].
+template <int Dim>
+double prescribedInflow(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology, const Points<Dim>& x,
+                        int patch, double t0, double t1);
+
+/// Largest speed over mesh size of the water that the inlets bring at time t, about: dry ones hold the step, too [1/s].
+template <int Dim>
+double inletRate(const BoundaryConditions<Dim>& conditions, const State<Dim>& state, double t);
+
+}  // namespace pfem

@@ -1,0 +1,16 @@
+#pragma once
+// Inlets whose water has no way to go.
+
+#include "conditions/problem.hpp"
+#include "dictionary/dictionary.hpp"
+
+namespace pfem {
+
+/// Throws UserError at the entry of an inlet
+///  - when the fluid neither has a free surface nor an outlet: it fills a closed box,
+///  - when a wall is less than 2 h in front of it,
+///  - in space, when no water wets it: nodes of a jet are made in the plane only.
+template <int Dim>
+void checkOpenings(const Dictionary& dict, const BoundaryConditions<Dim>& conditions, const State<Dim>& state);
+
+}  // namespace pfem

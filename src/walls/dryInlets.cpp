@@ -1,0 +1,170 @@
+#include "walls/dryInlets.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "conditions/inflow.hpp"
+#include "mesh/distance.hpp"
+#include "mesh/simplex.hpp"
+
+namespace pfem {
+
+namespace {
+
+constexpr double filmHeight = 0.5;  // of h, mean of the first triangles
+
+class DryInlet {
+public:
+    DryInlet(const PassageStep<2>& step, int patch, State<2>& state)
+        : step_(step), patch_(patch), state_(state), nodes_(state.nodes) {
+        const auto& walls = step.topology.walls;
+        for (int w = 0; w < static_cast<int>(walls.size()); ++w)
+            if (walls[w].patch == patch) faces_.push_back(w);
+        for (const auto& face : state.mesh.patches[patch].faces) corners_.push_back(face);
+        for (const auto& face : corners_) length_ += (nodes_.x[face[1]] - nodes_.x[face[0]]).norm();
+        h_ = nodes_.h[corners_[0][0]];
+    }
+
+    void bring(double volume) {
+        if (row().empty()) layRow();
+        const auto nodes = row();
+        double carried = 0;
+        for (const int i : nodes) {
+            const double part = volume / static_cast<double>(nodes.size());
+            nodes_.dropVolume[i] += part;
+            state_.ledger.book(VolumeCause::inflow, i, part);
+            carried += nodes_.dropVolume[i];
+        }
+        if (carried >= filmHeight * h_ * length_) layFilm(nodes, carried);
+    }
+
+private:
+    bool isOnPatch(int i) const {
+        return std::any_of(nodes_.wall[i].begin(), nodes_.wall[i].end(),
+                           [&](int w) { return w >= 0 && step_.topology.walls[w].patch == patch_; });
+    }
+
+    /// Nodes on the patch in their order along its first face.
+    std::vector<int> row() const {
+        std::vector<int> nodes;
+        for (int i = 0; i < nodes_.size(); ++i)
+            if (isOnPatch(i)) nodes.push_back(i);
+        const Vec<2> along = nodes_.x[corners_[0][1]] - nodes_.x[corners_[0][0]];
+        std::sort(nodes.begin(), nodes.end(),
+                  [&](int a, int b) { return along.dot(nodes_.x[a]) < along.dot(nodes_.x[b]); });
+        return nodes;
+    }
+
+    int addNode(const Vec<2>& x, const Vec<2>& v) {
+        const int i = nodes_.size();
+        nodes_.resize(i + 1);
+        nodes_.id[i] = state_.nextId++;
+        nodes_.x[i] = nodes_.X[i] = x;
+        nodes_.v[i] = v;
+        nodes_.h[i] = h_;
+        for (auto& [cause, amounts] : state_.ledger.fields()) amounts.push_back(0.0);
+        return i;
+    }
+
+    /// All walls that the node touches.
+    void support(int i) {
+        std::size_t w = 0;
+        for (const auto& patch : state_.mesh.patches)
+            for (const auto& face : patch.faces) {
+                const auto& wall = step_.topology.walls[w];
+                const int index = static_cast<int>(w++);
+                if (wall.patch < 0 || distanceToFace<2>(nodes_.x, face, nodes_.x[i]) > 1e-6 * h_) continue;
+                const auto& own = nodes_.wall[i];
+                const bool known = std::any_of(own.begin(), own.end(), [&](int other) {
+                    return other >= 0 && step_.topology.walls[other].region == wall.region;
+                });
+                if (!known) addSupport(nodes_.wall[i], index);
+            }
+    }
+
+    void layRow() {
+        for (std::size_t f = 0; f < corners_.size(); ++f) {
+            const Vec<2> a = nodes_.x[corners_[f][0]], b = nodes_.x[corners_[f][1]];
+            const int n = std::max(1, static_cast<int>(std::lround((b - a).norm() / h_)));
+            for (int k = f == 0 ? 0 : 1; k <= n; ++k) {
+                const int i = addNode(a + (b - a) * (double(k) / n), Vec<2>::Zero());
+                nodes_.wall[i] = {faces_[f], -1};
+                support(i);
+            }
+        }
+    }
+
+    /// The second row, each node as far before the first as its share of the speed says, and the cells between.
+    void layFilm(const std::vector<int>& nodes, double volume) {
+        const Inlet& inlet = *step_.conditions.inlet[patch_];
+        const auto spread = inletSpread<2>(inlet, corners_, nodes_.x, step_.t1);
+        std::vector<double> speed;
+        double swept = 0;
+        for (const int i : nodes) speed.push_back(std::max(0.0, spread.speed(nodes_.x[i])));
+        for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
+            const Vec<2> t = nodes_.x[nodes[k + 1]] - nodes_.x[nodes[k]];
+            swept +=
+                0.5 * (speed[k] + speed[k + 1]) * std::abs(t[0] * spread.direction[1] - t[1] * spread.direction[0]);
+        }
+        if (!(swept > 0)) return;
+        const double rate = inlet.at(step_.t1) * (inlet.ofVolume ? 1 : length_) / swept;
+        std::vector<int> front;
+        for (std::size_t k = 0; k < nodes.size(); ++k) {
+            nodes_.dropVolume[nodes[k]] = 0;
+            const double way = volume / swept * speed[k];
+            front.push_back(nodes[k]);
+            if (way < 1e-3 * h_) continue;
+            front.back() = addNode(nodes_.x[nodes[k]] + way * spread.direction, rate * speed[k] * spread.direction);
+            support(front.back());
+        }
+        for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
+            addCell({nodes[k], nodes[k + 1], front[k + 1]});
+            addCell({nodes[k], front[k + 1], front[k]});
+        }
+    }
+
+    /// Two of the nodes may be one.
+    void addCell(Simplex<2> cell) {
+        if (cell[0] == cell[1] || cell[1] == cell[2] || cell[2] == cell[0]) return;
+        if (simplexMeasure<2>(nodes_.x, cell) < 0) std::swap(cell[1], cell[2]);
+        state_.mesh.fluid.nodes.push_back(cell);
+        const auto& material = state_.mesh.fluid.material;
+        state_.mesh.fluid.material.push_back(material.empty() ? 0 : material[0]);
+    }
+
+    const PassageStep<2>& step_;
+    int patch_;
+    State<2>& state_;
+    Nodes<2>& nodes_;
+    std::vector<int> faces_;        // of the patch, as counted by Nodes::wall
+    std::vector<Face<2>> corners_;  // their nodes
+    double length_ = 0, h_ = 0;
+};
+
+bool isDry(const PassageStep<2>& step, int patch, const State<2>& state) {
+    for (const auto& cell : state.mesh.fluid.nodes)
+        for (const int i : cell)
+            for (const int w : state.nodes.wall[i])
+                if (w >= 0 && step.topology.walls[w].patch == patch) return false;
+    return true;
+}
+
+}  // namespace
+
+template <>
+void fillDryInlets<2>(const PassageStep<2>& step, State<2>& state) {
+    for (int k = 0; k < static_cast<int>(step.conditions.inlet.size()); ++k) {
+        if (!step.conditions.inlet[k] || !isDry(step, k, state)) continue;
+        const Inlet& inlet = *step.conditions.inlet[k];
+        double length = 0;
+        for (const auto& face : state.mesh.patches[k].faces)
+            length += (state.nodes.x[face[1]] - state.nodes.x[face[0]]).norm();
+        const double volume = inlet.during(step.t0, step.t1) * (inlet.ofVolume ? 1 : length);
+        if (volume > 0) DryInlet(step, k, state).bring(volume);
+    }
+}
+
+template <>
+void fillDryInlets<3>(const PassageStep<3>&, State<3>&) {}
+
+}  // namespace pfem

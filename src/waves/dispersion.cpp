@@ -1,0 +1,25 @@
+#include "waves/dispersion.hpp"
+
+#include <cmath>
+
+namespace pfem {
+
+double waveNumber(double omega, double depth, double gravity) {
+    const double deep = omega * omega * depth / gravity;  // q tanh q
+    double q = deep / std::sqrt(std::tanh(deep));         // Eckart
+    for (int n = 0; n < 20; ++n) {
+        const double t = std::tanh(q), step = (q * t - deep) / (t + q * (1 - t * t));
+        q -= step;
+        if (std::abs(step) < 1e-15 * q) break;
+    }
+    return q / depth;
+}
+
+double makerGain(Maker maker, double q) {
+    const bool deep = q > 20;  // where cosh 2q is as good as exp(2q)/2
+    if (maker == Maker::piston) return deep ? 2 : 2 * (std::cosh(2 * q) - 1) / (std::sinh(2 * q) + 2 * q);
+    if (deep) return 2 * (1 - 1 / q);
+    return 4 * std::sinh(q) * (q * std::sinh(q) - std::cosh(q) + 1) / (q * (std::sinh(2 * q) + 2 * q));
+}
+
+}  // namespace pfem

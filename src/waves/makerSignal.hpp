@@ -1,0 +1,41 @@
+#pragma once
+// How a wave maker has to move for waves that one wants: displacement at the still level over time [m].
+
+#include "waves/dispersion.hpp"
+#include "waves/spectrum.hpp"
+
+namespace pfem {
+
+struct Flume {
+    double depth = 0, gravity = 9.81;  // [m], [m/s2]
+    Maker maker = Maker::piston;
+};
+
+/// The motion for a surface (at the maker) that is a sum of small waves: each over its gain, a quarter of a period
+/// later.
+std::vector<Sine> motionFor(const std::vector<Sine>& surface, const Flume& flume);
+
+/// Regular waves of height H and period T. `secondOrder` (pistons; Madsen): with the part of 2 omega that keeps free
+/// second harmonics away,
+///     H/(2 m) sin wt + H^2/(32 d) (3 cosh q/sinh^3 q - 2/m) sin 2wt,       m: gain of the piston, q = k d.
+std::vector<Sine> regularMotion(double height, double period, bool secondOrder, const Flume& flume);
+
+/// Solitary wave of height a (Goring's piston with Rayleigh's profile): the plate goes with the water,
+///     X' = c eta/(d + eta),   eta = a sech^2(K (c (t - t0) - X)),   c^2 = g (d + a),   K^2 = 3 a/(4 d^2 (d + a)),
+/// that is X = a/(K d) tanh(K (c (t - t0) - X)). It begins at rest at t = 0 and 0.1 % of its stroke.
+class SolitaryMotion {
+public:
+    SolitaryMotion(double height, const Flume& flume);
+    double value(double t) const;
+
+private:
+    double phaseAt(double t) const;
+
+    double a_, d_, c_, K_;
+};
+
+/// Sum of the sines.
+double sumAt(const std::vector<Sine>& sines, double t);
+double rateAt(const std::vector<Sine>& sines, double t);
+
+}  // namespace pfem

@@ -1,0 +1,183 @@
+// Inlets and outlets: what comes in is what is prescribed, what is there is what has come less what has gone, and the
+// flow between is the known one.
+
+#include <gtest/gtest.h>
+
+#include "io/sampleState.hpp"
+#include "io/stateFiles.hpp"
+#include "support/cases.hpp"
+
+using namespace pfem;
+using namespace pfem::test;
+
+namespace {
+
+// ---- plane Poiseuille flow: height 1, mean speed 1, Re = 10
+
+constexpr double length = 2, mu = 0.1;
+const std::string syrup = "water { type newtonian; rho 1; mu 0.1; kappa 1e6; }";
+
+std::string channelMesh(double h, const std::string& more) {
+    return "meshSize " + std::to_string(h) + "; bodies ( water { type fluid; material water; " +
+           rectangle(0, 0, length, 1) + more +
+           " } ); walls ( bottom { points ((0 0) (2 0)); } right { points ((2 0) (2 1)); } top { points ((2 1) (0 1)); "
+           "} left { points ((0 1) (0 0)); } );";
+}
+
+TestCase channel(double h, const std::string& inlet, const std::string& outlet = "pressure 0;") {
+    TestCase c = makeCase(channelMesh(h, "velocity expression (\"6*y*(1-y)\" \"0\");"), syrup,
+                          "bottom { type noSlip; } top { type noSlip; } left { type inlet; " + inlet +
+                              " } right { type outlet; " + outlet + " }",
+                          {0, 0});
+    c.start(0.01);
+    return c;
+}
+
+/// Root mean square of u - 6 y (1 - y) between x = 0.5 and 1.5, and the slope of the pressure there.
+struct Flow {
+    double error, slope;
+};
+Flow flowOf(const TestCase& c) {
+    double squares = 0, xx = 0, xp = 0, x1 = 0, p1 = 0;
+    int count = 0;
+    for (int i = 0; i < c.state.nodes.size(); ++i) {
+        const auto& x = c.state.nodes.x[i];
+        if (x[0] < 0.5 || x[0] > 1.5) continue;
+        squares += (c.state.nodes.v[i] - Vec<2>(6 * x[1] * (1 - x[1]), 0)).squaredNorm();
+        ++count;
+        xx += x[0] * x[0];
+        xp += x[0] * c.state.nodes.p[i];
+        x1 += x[0];
+        p1 += c.state.nodes.p[i];
+    }
+    return {std::sqrt(squares / count), (count * xp - x1 * p1) / (count * xx - x1 * x1)};
+}
+
+void run(TestCase& c, double time, double dt) {
+    const double end = c.state.time.value + time;
+    while (c.state.time.value < end - 0.1 * dt) c.step(std::min(dt, end - c.state.time.value));
+}
+
+/// Volume of the fluid, drops included, less what came through openings: the first one but for errors of the method.
+double kept(const TestCase& c) { return totalVolume<2>(c.state) - c.state.ledger.sum(CauseKind::passage); }
+
+TEST(Openings, poiseuilleFlowPasses) {
+    double before = 0;
+    for (const double h : {0.2, 0.1}) {
+        TestCase c = channel(h, "flowRate 1; profile parabolic;");
+        const double first = kept(c);
+        run(c, 4, 0.1 * h);
+        EXPECT_NEAR(c.state.ledger[VolumeCause::inflow], 4, 1e-11);
+        EXPECT_NEAR(kept(c), first, 2e-3 * first);
+        EXPECT_NEAR(c.ledgerSum(), totalVolume<2>(c.state) - first, 1e-11);
+        const Flow flow = flowOf(c);
+        EXPECT_NEAR(flow.slope, -12 * mu, 0.6 * h);
+        EXPECT_LT(flow.error, 3.5 * h * h);
+        if (before > 0) EXPECT_LT(flow.error, 0.5 * before);
+        before = flow.error;
+    }
+}
+
+// What nodes lack belongs to the account: cells + drops + lost = first + compression + passage.
+TEST(Openings, nothingIsLost) {
+    TestCase c = channel(0.2, "velocity { type sine; frequency 1; scale 0.5; level 1; } profile parabolic;");
+    const double first = totalVolume<2>(c.state);
+    run(c, 1.3, 0.02);
+    double lost = 0;
+    for (const double one : c.state.nodes.lostVolume) lost += one;
+    const auto& ledger = c.state.ledger;
+    EXPECT_NEAR(ledger[VolumeCause::inflow], 1.3 + 0.5 * (1 - std::cos(2 * M_PI * 1.3)) / (2 * M_PI), 1e-11);
+    EXPECT_NEAR(totalVolume<2>(c.state) + lost,
+                first + ledger[VolumeCause::compression] + ledger.sum(CauseKind::passage), 1e-11);
+}
+
+TEST(Openings, startAndStop) {
+    TestCase c = channel(0.25, "flowRate 1; start 0.1; stop 0.3;");
+    run(c, 0.5, 0.04);
+    EXPECT_NEAR(c.state.ledger[VolumeCause::inflow], 0.2, 1e-12);
+}
+
+// ---- water under gravity: depth 0.4
+
+TestCase basin(const std::string& right, const std::string& velocity = "(0 0)") {
+    TestCase c = makeCase(
+        "meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.4) + " velocity " +
+            velocity + "; } ); walls ( tank { points ((0 0.8) (0 0) (1 0)); } right { points ((1 0) (1 0.8)); } );",
+        water, "tank { type slip; } right { " + right + " }");
+    c.start(1e-3);
+    return c;
+}
+
+TEST(Openings, stillWaterRestsAtItsOwnLevel) {
+    TestCase c = basin("type outlet; level 0.4;");
+    run(c, 0.2, 0.01);
+    EXPECT_LT(largest(c.state.nodes.v), 1e-6);
+    EXPECT_NEAR(c.state.ledger[VolumeCause::outflow], 0, 1e-8);
+}
+
+// A lower level outside draws water, a higher one brings it back; the tank keeps the account.
+TEST(Openings, levelOutsideDrawsWater) {
+    TestCase low = basin("type outlet; level 0.3;"), high = basin("type outlet; level 0.5;");
+    for (TestCase* c : {&low, &high}) {
+        const double first = kept(*c);
+        run(*c, 0.2, 5e-3);
+        EXPECT_NEAR(c->ledgerSum(), totalVolume<2>(c->state) - first, 1e-12);
+        EXPECT_NEAR(kept(*c), first, 2e-3 * first);
+    }
+    EXPECT_LT(low.state.ledger[VolumeCause::outflow], -5e-3);
+    EXPECT_GT(high.state.ledger[VolumeCause::outflow], 5e-3);
+}
+
+// A floor that is an outlet: water falls through it freely.
+TEST(Openings, waterFallsThroughAnOutlet) {
+    TestCase c = makeCase("meshSize 0.05; bodies ( water { type fluid; material water; " +
+                              rectangle(0.4, 0.1, 0.6, 0.3) + " } ); walls ( floor { points ((0 0) (1 0)); } );",
+                          water, "floor { type outlet; }");
+    c.start(1e-3);
+    const double first = totalVolume<2>(c.state);
+    run(c, 0.2, 5e-3);
+    const double through = 0.2 * (0.5 * 9.81 * 0.2 * 0.2 - 0.1);
+    EXPECT_NEAR(c.state.ledger[VolumeCause::outflow], -through, 0.01 * through);
+    EXPECT_NEAR(kept(c), first, 0.01 * first);
+    EXPECT_NEAR(c.ledgerSum(), totalVolume<2>(c.state) - first, 1e-13);
+}
+
+// A nozzle in the air: dry at first, then a jet that falls as a parabola says.
+TEST(Openings, aJetFromADryNozzle) {
+    TestCase c =
+        makeCase("meshSize 0.02; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1, 0.1) +
+                     " } ); walls ( tank { points ((0 1) (0 0) (1 0) (1 1)); } nozzle { points ((0.7 0.6) (0.7 "
+                     "0.7)); } );",
+                 water, "tank { type slip; } nozzle { type inlet; velocity 1; }");
+    c.start(1e-3);
+    const double first = totalVolume<2>(c.state);
+    run(c, 0.2, 4e-3);
+    EXPECT_NEAR(c.state.ledger[VolumeCause::inflow], 0.1 * 0.2, 1e-12);
+    EXPECT_NEAR(c.ledgerSum(), totalVolume<2>(c.state) - first, 1e-12);
+    EXPECT_NEAR(kept(c), first, 2e-4);
+    double tip = 1, low = 1;  // of the jet
+    for (int i = 0; i < c.state.nodes.size(); ++i) {
+        const auto& x = c.state.nodes.x[i];
+        if (x[1] < 0.15 || !c.topology().ofFluid(i)) continue;
+        tip = std::min(tip, x[0]);
+        low = std::min(low, x[1]);
+    }
+    EXPECT_NEAR(tip, 0.5, 0.02);
+    EXPECT_NEAR(low, 0.6 - 0.5 * 9.81 * 0.2 * 0.2, 0.025);  // of the first water
+}
+
+TEST(Openings, aRestartIsTheRunItself) {
+    const TemporaryFolder folder;
+    TestCase c = channel(0.25, "flowRate 1;");
+    for (int n = 0; n < 10; ++n) c.step(0.03);
+    writeState(folder.path() / "0.3", c.state);
+    TestCase again = c;
+    again.state = readState<2>(folder.path() / "0.3");
+    for (int n = 0; n < 20; ++n) {
+        c.step(0.03);
+        again.step(0.03);
+    }
+    expectIdentical(c.state, again.state);
+}
+
+}  // namespace
