@@ -3,6 +3,7 @@
 
 #include "conditions/boundaryConditions.hpp"
 #include "conditions/freedom.hpp"
+#include "conditions/rigidBody.hpp"
 #include "state/state.hpp"
 
 namespace pfem {
@@ -24,6 +25,7 @@ struct NodeConstraints {
     std::vector<int> followed;  // per node: its Following, -1: what is held is at rest
     std::vector<Following<Dim>> following;
     std::vector<RigidStep<Dim>> motion;  // over the step, of the patches, then of nodes that inlets drive
+    std::vector<RigidBody<Dim>> bodies;  // whose nodes move together (rigidBodies.hpp)
 
     /// The part of u that node i may perform.
     Vec<Dim> project(int i, const Vec<Dim>& u) const { return freedom[i].project(u); }

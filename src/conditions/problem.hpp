@@ -2,6 +2,7 @@
 // Physics and boundary conditions; gravity and tractions may depend on time.
 
 #include "conditions/constraints.hpp"
+#include "conditions/contact.hpp"
 #include "material/material.hpp"
 #include "state/state.hpp"
 
@@ -14,6 +15,7 @@ struct Problem {
     Vec<Dim> gravity = Vec<Dim>::Zero();            // at the time in question [m/s2]
     Function1Ptr<Eigen::Vector3d> gravityOverTime;  // null: it stays as it is
     BoundaryConditions<Dim> conditions;
+    ContactConditions contact;
 
     const ViscousFluid& fluid(int material) const { return materials[material].fluid; }
     const Solid& solid(int material) const { return materials[material].solid; }

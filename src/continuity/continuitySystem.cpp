@@ -57,6 +57,23 @@ void forVelocities(const Unknowns& u, const SolidDofs<Dim>& solid, int node, Vis
         for (int c = 0; c < Dim; ++c) visit(u.surface[node] + c, Vec<Dim>(Vec<Dim>::Unit(c)));
 }
 
+/// How many unknowns of rigid bodies a node and its neighbours have in common.
+template <int Dim>
+int sharedVelocities(const NodeToNodes& ring, const SolidDofs<Dim>& dofs, int i) {
+    std::vector<int> firsts;
+    int count = 0;
+    const auto look = [&](int node) {
+        if (!dofs.ofBody(node)) return;
+        if (std::find(firsts.begin(), firsts.end(), dofs.first[node]) != firsts.end())
+            count += dofs.count[node];
+        else
+            firsts.push_back(dofs.first[node]);
+    };
+    look(i);
+    for (int s = ring.start[i]; s < ring.start[i + 1]; ++s) look(ring.node[s]);
+    return count;
+}
+
 /// Where the columns start, from the neighbours in the fluid and the matrix of the solid.
 template <int Dim>
 std::vector<int> columnStarts(const NodeToNodes& ring, const Unknowns& u, const SolidDofs<Dim>& dofs,
@@ -69,6 +86,7 @@ std::vector<int> columnStarts(const NodeToNodes& ring, const Unknowns& u, const 
         start[p + 1] += nVelocities<Dim>(u, dofs, static_cast<int>(i));
         for (int s = ring.start[i]; s < ring.start[i + 1]; ++s)
             start[p + 1] += (u.pressure[ring.node[s]] > p) + nVelocities<Dim>(u, dofs, ring.node[s]);
+        if (!dofs.bodies.empty()) start[p + 1] -= sharedVelocities<Dim>(ring, dofs, static_cast<int>(i));
     }
     for (int j = 0; j < solid.n; ++j) start[u.nPressure + j + 1] = solid.start[j + 1] - solid.start[j];
     for (int j = 0; j < u.n; ++j) start[j + 1] += start[j];
@@ -115,14 +133,27 @@ void writeColumn(const PressureColumn<Dim>& column, int i, const Parts<Dim>& par
     };
     for (std::size_t k = 0; k < column.node.size(); ++k)
         if (u.pressure[column.node[k]] >= u.pressure[i]) put(u.pressure[column.node[k]], column.K[k]);
-    for (const bool ofSolid : {true, false})
+    for (const bool ofSolid : {true, false}) {
         for (std::size_t k = 0; k < column.node.size(); ++k) {
             const int node = column.node[k];
-            if ((dofs.local[node] >= 0) != ofSolid) continue;
+            if ((dofs.local[node] >= 0) != ofSolid || dofs.ofBody(node)) continue;
             forVelocities<Dim>(u, dofs, node, [&](int unknown, const Vec<Dim>& direction) {
                 put(unknown, parts.step.constraints.project(node, column.B[k]).dot(direction));
             });
         }
+        if (!ofSolid) continue;
+        for (const auto& body : dofs.bodies) {
+            Eigen::VectorXd sum = Eigen::VectorXd::Zero(body.count);
+            bool meets = false;
+            for (std::size_t k = 0; k < column.node.size(); ++k) {
+                const int node = column.node[k];
+                if (!dofs.ofBody(node) || dofs.first[node] != body.first) continue;
+                sum += dofs.basis[dofs.local[node]].transpose() * column.B[k];
+                meets = true;
+            }
+            for (int c = 0; meets && c < body.count; ++c) put(u.nPressure + body.first + c, sum[c]);
+        }
+    }
 }
 
 /// What the Laplacian of each cell counts in K_p: tau and the Schur term.

@@ -11,6 +11,7 @@
 #include "functions/massLedger.hpp"
 #include "functions/pressureSensor.hpp"
 #include "functions/probes.hpp"
+#include "functions/rigidBodyState.hpp"
 #include "functions/surfaces.hpp"
 #include "functions/volumeFlow.hpp"
 #include "functions/waveGauge.hpp"
@@ -37,6 +38,7 @@ std::map<std::string, FunctionFactory<Dim>>& table() {
         {"massLedger", make<Dim, MassLedger<Dim>>},
         {"pressureSensor", make<Dim, PressureSensor<Dim>>},
         {"probes", make<Dim, Probes<Dim>>},
+        {"rigidBodyState", make<Dim, RigidBodyState<Dim>>},
         {"surfaces", make<Dim, Surfaces<Dim>>},
         {"volumeFlow", make<Dim, VolumeFlow<Dim>>},
         {"waveGauge", make<Dim, WaveGauge<Dim>>},

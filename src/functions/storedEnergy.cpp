@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "conditions/rigidBodies.hpp"
 #include "functions/balance.hpp"
 #include "functions/faceForce.hpp"
 #include "material/stressTensor.hpp"
@@ -108,6 +109,10 @@ StoredEnergy storedEnergy(const Problem<Dim>& problem, const Controls& controls,
     for (int i = 0; i < nodes.size(); ++i) {
         energy.kinetic += 0.5 * mass[i] * nodes.v[i].squaredNorm();
         energy.potential -= mass[i] * problem.gravity.dot(nodes.x[i]);
+    }
+    for (const auto& body : rigidBodies<Dim>(problem, state.mesh, nodes)) {
+        energy.kinetic += 0.5 * body.twist.dot(body.massMatrix(body.pose) * body.twist);
+        energy.potential -= body.mass * problem.gravity.dot(body.pose.place(body.centre));
     }
     return energy;
 }

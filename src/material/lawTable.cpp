@@ -15,11 +15,34 @@
 #include "material/newtonian.hpp"
 #include "material/ogden.hpp"
 #include "material/powerLaw.hpp"
+#include "material/rigid.hpp"
 #include "material/stVenantKirchhoff.hpp"
 #include "material/viscoelastic.hpp"
 #include "material/yeoh.hpp"
 
 namespace pfem {
+
+namespace {
+
+LawType<SolidLaw> rigidType() {
+    LawType<SolidLaw> type{"rigid",
+                           "Body that does not deform: it moves and turns as a whole, in one system with fluid and "
+                           "solids. Its clamped patch prescribes its motion.",
+                           describeEntries<Rigid>(),
+                           [](const Dictionary& dict) { return std::make_shared<const Rigid>(readRigid(dict)); }};
+    type.entries.push_back({"constraints", "dictionary", "-", "{}",
+                            "named sub-dictionaries: type point, line (direction), plane (normal) of the centre of "
+                            "rotation; axis (axis), orientation of the turning",
+                            ""});
+    type.entries.push_back({"restraints", "dictionary", "-", "{}",
+                            "named sub-dictionaries: type linearSpring (anchor, refAttachmentPt, stiffness, damping, "
+                            "restLength), linearDamper (coeff), linearAxialAngularSpring (axis, stiffness, damping), "
+                            "sphericalAngularDamper (coeff)",
+                            ""});
+    return type;
+}
+
+}  // namespace
 
 std::vector<LawType<FluidLaw>>& fluidLaws() {
     static std::vector<LawType<FluidLaw>> all{
@@ -87,6 +110,7 @@ std::vector<LawType<SolidLaw>>& solidLaws() {
             "j2FinitePlasticity",
             "The same at finite strain: F = F_e F_p, elastic energy of the logarithmic "
             "strain."),
+        rigidType(),
     };
     return all;
 }

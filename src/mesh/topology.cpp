@@ -1,8 +1,11 @@
 #include "mesh/topology.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <set>
 
+#include "mesh/distance.hpp"
 #include "mesh/simplex.hpp"
 #include "mesh/wallBins.hpp"
 
@@ -32,15 +35,51 @@ std::set<Face<Dim>> symmetryFaces(const Mesh<Dim>& mesh, const std::vector<Patch
     return faces;
 }
 
+/// Normals of the symmetry patches that nodes of solids lie on.
+template <int Dim>
+std::map<int, std::vector<Vec<Dim>>> symmetryNormals(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds,
+                                                     const Points<Dim>& x, const NodeToCells& solid) {
+    std::map<int, std::vector<Vec<Dim>>> normals;
+    for (std::size_t n = 0; n < mesh.patches.size(); ++n)
+        if (kinds[n] == PatchKind::symmetry)
+            for (const auto& face : mesh.patches[n].faces)
+                for (const int node : face)
+                    if (solid.count(node) > 0) normals[node].push_back(faceArea<Dim>(x, face).normalized());
+    return normals;
+}
+
+/// Walls that a solid's node on a plane of symmetry goes on to touch beyond their ends, up to `size`: there the solid's
+/// edge slides to and fro.
+template <int Dim>
+void findContinued(int node, const std::vector<Vec<Dim>>& planes, const Points<Dim>& x, double size, Topology<Dim>& t) {
+    for (int w = 0; w < static_cast<int>(t.walls.size()); ++w) {
+        const auto& wall = t.walls[w];
+        if (wall.patch < 0) continue;
+        const Vec<Dim> n = inwardNormal<Dim>(x, wall.nodes);
+        const bool along = std::abs(n.dot(x[node] - x[wall.nodes[0]])) <= 1e-6 * size &&
+                           std::any_of(planes.begin(), planes.end(),
+                                       [&](const Vec<Dim>& own) { return std::abs(own.dot(n)) > 1 - 1e-6; });
+        if (!along || distanceToFace<Dim>(x, wall.nodes, x[node]) > size) continue;
+        const auto& own = t.supports[node];
+        if (std::none_of(own.begin(), own.end(), [&](int f) { return f >= 0 && t.walls[f].region == wall.region; }))
+            addSupport(t.supports[node], w);
+    }
+}
+
 /// Walls that the nodes of solids' faces touch, to a millionth of the face's size.
 template <int Dim>
-void findTouching(const Mesh<Dim>& mesh, const Points<Dim>& x, Topology<Dim>& t) {
+void findTouching(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const Points<Dim>& x, Topology<Dim>& t) {
     if (mesh.solid.nodes.empty()) return;
+    const auto planes = symmetryNormals<Dim>(mesh, kinds, x, t.solid);
     const WallBins<Dim> walls(t.walls, x);
     for (const auto& face : boundaryFaces<Dim>(mesh.solid.nodes, t.solid)) {
-        const double near = 1e-6 * (x[face.nodes[1]] - x[face.nodes[0]]).norm();
-        for (const int node : face.nodes)
-            if (!isSupported(t.supports[node])) t.supports[node] = walls.supportsAt(x[node], near);
+        const double size = (x[face.nodes[1]] - x[face.nodes[0]]).norm();
+        for (const int node : face.nodes) {
+            if (isSupported(t.supports[node])) continue;
+            t.supports[node] = walls.supportsAt(x[node], 1e-6 * size);
+            if (const auto found = planes.find(node); found != planes.end())
+                findContinued<Dim>(node, found->second, x, size, t);
+        }
     }
 }
 
@@ -71,7 +110,7 @@ void setWalls(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const 
         t.onWall[i] = isSupported(wall[i]) && t.ofFluid(i);
         if (!t.onWall[i]) t.supports[i] = unsupported<Dim>();
     }
-    findTouching(mesh, x, t);
+    findTouching<Dim>(mesh, kinds, x, t);
     const auto symmetry = symmetryFaces<Dim>(mesh, kinds);
     t.freeSurface.assign(t.nNodes(), 0);
     for (auto& face : t.faces) {

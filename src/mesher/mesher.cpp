@@ -42,19 +42,21 @@ MeshedBody addBody(Draft& draft, const MeshDescription& description, int index, 
     return {first, cells.size(), region.area(), region.perimeter(), region.h};
 }
 
-/// Faces of the walls (none under a solid) and of the bodies' named patches.
+/// Faces of the walls (none under a solid's named patch) and of the bodies' named patches.
 void addPatches(Draft& draft, const MeshDescription& description, const Arrangement& arrangement,
                 const BoundaryNodes& boundary) {
     for (const auto& wall : description.walls) patchNamed(draft.mesh, wall.name);
     for (std::size_t p = 0; p < arrangement.pieces.size(); ++p) {
         const auto& uses = arrangement.pieces[p].uses;
-        const bool underSolid = std::any_of(uses.begin(), uses.end(), [&](const PieceUse& use) {
-            return !arrangement.isWall(use) && description.bodies[use.outline].type == BodyType::solid;
+        const bool underPatch = std::any_of(uses.begin(), uses.end(), [&](const PieceUse& use) {
+            if (arrangement.isWall(use)) return false;
+            const Body& body = description.bodies[use.outline];
+            return body.type == BodyType::solid && !patchesOf(body, use.edge).empty();
         });
         for (const auto& use : uses) {
             if (arrangement.isWall(use)) {
                 const auto& name = description.walls[use.outline - arrangement.nBodies].name;
-                if (!underSolid) addFaces(patchNamed(draft.mesh, name), boundary.ofPiece[p], use.forward);
+                if (!underPatch) addFaces(patchNamed(draft.mesh, name), boundary.ofPiece[p], use.forward);
                 continue;
             }
             const Body& body = description.bodies[use.outline];

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/parallel.hpp"
+#include "material/rigid.hpp"
 
 namespace pfem {
 
@@ -49,7 +50,10 @@ PerNode<double> fluidMass(const Problem<Dim>& problem, const Cells<Dim>& cells, 
 
 template <int Dim>
 PerNode<double> solidMass(const Problem<Dim>& problem, const Cells<Dim>& cells, const Points<Dim>& X) {
-    return nodalShares<Dim>(cells, X, [&](int material) { return problem.solid(material).rho; });
+    return nodalShares<Dim>(cells, X, [&](int material) {
+        const Solid& solid = problem.solid(material);
+        return rigidOf(solid.law.get()) ? 0 : solid.rho;
+    });
 }
 
 #define PFEM_INSTANTIATE(D)                                                                                \

@@ -146,11 +146,21 @@ void MomentumSystem<Dim>::setInertia(const Points<Dim>& inertia) {
 
 template <int Dim>
 Eigen::VectorXd MomentumSystem<Dim>::gather(const Points<Dim>& r) const {
-    Eigen::VectorXd u(solid_.dofs.n);
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(solid_.dofs.n);
     for (std::size_t k = 0; k < solid_.dofs.node.size(); ++k)
         for (int c = 0; c < solid_.dofs.count[solid_.dofs.node[k]]; ++c)
-            u[solid_.dofs.first[solid_.dofs.node[k]] + c] = solid_.dofs.basis[k].col(c).dot(r[solid_.dofs.node[k]]);
+            u[solid_.dofs.first[solid_.dofs.node[k]] + c] += solid_.dofs.basis[k].col(c).dot(r[solid_.dofs.node[k]]);
     return u;
+}
+
+template <int Dim>
+Eigen::VectorXd MomentumSystem<Dim>::onSolids(const std::vector<std::pair<int, Vec<Dim>>>& forces) const {
+    const SolidDofs<Dim>& dofs = solid_.dofs;
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(dofs.n);
+    for (const auto& [node, force] : forces)
+        if (dofs.local[node] >= 0)
+            f.segment(dofs.first[node], dofs.count[node]) += dofs.basis[dofs.local[node]].transpose() * force;
+    return f;
 }
 
 template <int Dim>

@@ -23,6 +23,15 @@ public:
     /// matrixInertia of the fluid's nodes in the current configuration (the solid's factor stays).
     void setInertia(const Points<Dim>& inertia);
 
+    /// Directions of the unknowns of rigid bodies, whose levers are those of the iterate (the solid's factor stays).
+    SolidDofs<Dim>& solidDofs() { return solid_.dofs; }
+
+    /// Forces on nodes as a right-hand side of the solids' unknowns; the change of these that it makes; and that change
+    /// as velocities of the nodes.
+    Eigen::VectorXd onSolids(const std::vector<std::pair<int, Vec<Dim>>>& forces) const;
+    Eigen::VectorXd solveSolids(const Eigen::VectorXd& f) const { return f.size() > 0 ? factor_->solve(f) : f; }
+    void addOfSolids(const Eigen::VectorXd& change, Points<Dim>& dv) const { scatter(change, dv); }
+
     /// The fluid's viscosity has changed.
     void updateViscosity();
 

@@ -9,15 +9,25 @@
 
 namespace pfem {
 
-/// Velocity unknowns of the solid nodes: free nodes have Dim, sliding nodes Dim - 1, fixed ones none.
+/// Velocity unknowns of the solid nodes: free nodes have Dim, sliding nodes Dim - 1, fixed ones none. The nodes of a
+/// rigid body share those of the body, which come after all others.
 template <int Dim>
 struct SolidDofs {
-    std::vector<int> node;           // solid nodes with unknowns
-    std::vector<int> first;          // per mesh node: its first unknown or -1
-    std::vector<int> count;          // per mesh node
-    std::vector<Tensor<Dim>> basis;  // per entry of `node`: its first count columns span the free directions
-    std::vector<int> local;          // per mesh node: index into `node` or -1
+    using Directions = Eigen::Matrix<double, Dim, Eigen::Dynamic, 0, Dim, nTwist<Dim>>;
+    struct Body {
+        int first, count;
+        std::vector<int> local;  // of its nodes: indices into `node`
+    };
+
+    std::vector<int> node;          // solid nodes with unknowns
+    std::vector<int> first;         // per mesh node: its first unknown or -1
+    std::vector<int> count;         // per mesh node
+    std::vector<Directions> basis;  // per entry of `node`: the velocity of each of its unknowns
+    std::vector<int> local;         // per mesh node: index into `node` or -1
+    std::vector<Body> bodies;       // those with unknowns
     int n = 0;
+
+    bool ofBody(int i) const { return local[i] >= 0 && !bodies.empty() && first[i] >= bodies[0].first; }
 };
 
 /// The momentum matrix of the solids' velocities.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/parallel.hpp"
+#include "momentum/rigidInertia.hpp"
 
 namespace pfem {
 
@@ -32,6 +33,23 @@ void moveEnd(const Step<Dim>& step, Nodes<Dim>& end) {
         end.v[i] = constraints.velocity(i, end.x[i], end.v[i]);
         end.a[i] = constraints.combine(i, end.a[i], (end.v[i] - old.v[i]) / dt);  // no ringing after a jump
     });
+}
+
+/// Rigid bodies: all of their nodes at once.
+template <int Dim>
+void moveBodies(const Step<Dim>& step, Trial<Dim>& trial) {
+    const auto& bodies = step.constraints.bodies;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const RigidBody<Dim>& body = bodies[b];
+        const Pose<Dim> pose = body.moved(trial.twist[b], step.dt());
+        const Twist<Dim> twist = body.twistAt(pose, trial.twist[b]);
+        for (std::size_t k = 0; k < body.nodes.size(); ++k) {
+            const int i = body.nodes[k];
+            trial.end.x[i] = pose.place(body.arm[k]);
+            trial.end.v[i] = leverRows<Dim>(pose.lever(body.arm[k])) * twist;
+            trial.end.a[i] = (trial.end.v[i] - step.old.v[i]) / step.dt();
+        }
+    }
 }
 
 /// Positions and velocities in the middle of the step, and its acceleration.
@@ -77,8 +95,10 @@ void setExcess(const Step<Dim>& step, std::vector<double> excess, Trial<Dim>& tr
 template <int Dim>
 Trial<Dim> firstTrial(const Step<Dim>& step) {
     const Nodes<Dim>& old = step.old;
-    Trial<Dim> trial{old, old, {}, depthGradient<Dim>(step.problem, old, step.dt())};
+    Trial<Dim> trial{old, old, {}, depthGradient<Dim>(step.problem, old, step.dt()), {}};
+    for (const auto& body : step.constraints.bodies) trial.twist.push_back(body.twist);
     moveEnd(step, trial.end);
+    moveBodies(step, trial);
     moveMiddle(step, trial);
     setExcess(step, withDepth<Dim>(-trial.depth, step.topology, old.x, old.p), trial);
     return trial;
@@ -86,8 +106,15 @@ Trial<Dim> firstTrial(const Step<Dim>& step) {
 
 template <int Dim>
 void changeVelocity(const Step<Dim>& step, double part, const Points<Dim>& dv, Trial<Dim>& trial) {
+    for (int b = 0; b < static_cast<int>(trial.twist.size()); ++b) {
+        const RigidBody<Dim>& body = step.constraints.bodies[b];
+        Points<Dim> ofBody;
+        for (const int i : body.nodes) ofBody.push_back(part * dv[i]);
+        trial.twist[b] += nearestTwist<Dim>(middleLevers<Dim>(step, body, trial, b), ofBody);
+    }
     parallelFor(trial.end.size(), [&](int i) { trial.end.v[i] += part * dv[i]; });
     moveEnd(step, trial.end);
+    moveBodies(step, trial);
     moveMiddle(step, trial);
     setExcess(step, std::move(trial.excess), trial);
 }

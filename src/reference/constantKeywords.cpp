@@ -1,3 +1,4 @@
+#include "conditions/contact.hpp"
 #include "material/lawTable.hpp"
 #include "material/material.hpp"
 #include "reference/keywords.hpp"
@@ -38,6 +39,11 @@ std::vector<KeywordTable> constantKeywords() {
                       "Gravity.",
                       {{"dimensions", "dimensions", "-", "optional", "checked: [0 1 -2 0 0 0 0]", ""},
                        {"value", "vector of time", "m/s2", "required", "acceleration of gravity", ""}}});
+    tables.push_back(
+        {"constant/contact", "",
+         "Contact of solids with walls and with each other. Without this file they pass through each other, "
+         "and a run stops where a solid leaves through a wall.",
+         describeEntries<ContactConditions>()});
     return tables;
 }
 

@@ -68,6 +68,11 @@ std::vector<KeywordTable> functionKeywords() {
            "no: the points ride on the material that holds them at the first time", ""},
           {"interpolationScheme", "word", "-", "optional", "accepted; values are linear in the triangle", ""},
           {"includeOutOfBounds", "bool", "-", "optional", "accepted; a point without material gives -1e+300", ""}}},
+        {file,
+         "rigidBodyState",
+         "Places, turning and velocities of rigid bodies, with the columns of OpenFOAM's sixDoFRigidBodyState; no "
+         "entries.",
+         {}},
         {file, "surfaces", "Cuts, the free surface and the solids' skin with fields, as .vtp files for ParaView.",
          describeEntries<SurfacesEntries>()},
         {file, "volumeFlow", "Volume of fluid that passes a plane: its rate, and the sum since the beginning.",

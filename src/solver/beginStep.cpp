@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "conditions/rigidBodies.hpp"
+
 namespace pfem {
 
 namespace {
@@ -23,6 +25,9 @@ void obeyConstraints(const Topology<Dim>& topology, const NodeConstraints<Dim>& 
         if (topology.onWall[i] && !constraints.isMoved(i)) nodes.v[i] = turned<Dim>(before, nodes.v[i]);
         if (!constraints.isMoved(i)) nodes.a[i] = constraints.project(i, nodes.a[i]);
     }
+    for (const auto& body : constraints.bodies)
+        for (std::size_t k = 0; k < body.nodes.size(); ++k)
+            nodes.v[body.nodes[k]] = leverRows<Dim>(body.pose.lever(body.arm[k])) * body.twistAt(body.pose, body.twist);
 }
 
 }  // namespace
@@ -31,7 +36,10 @@ template <int Dim>
 NodeConstraints<Dim> constraintsOver(double from, double to, const Problem<Dim>& problem, const State<Dim>& state,
                                      const Topology<Dim>& topology) {
     const double now = state.time.value;
-    return nodeConstraints<Dim>(state.mesh, problem.conditions, topology, state.nodes, now + from, now + to);
+    auto constraints =
+        nodeConstraints<Dim>(state.mesh, problem.conditions, topology, state.nodes, now + from, now + to);
+    addRigidBodies<Dim>(problem, state.mesh, state.nodes, constraints);
+    return constraints;
 }
 
 template <int Dim>

@@ -10,6 +10,7 @@
 #include "dictionary/print.hpp"
 #include "integration/stressPoints.hpp"
 #include "io/uniformTime.hpp"
+#include "material/rigid.hpp"
 #include "mesh/simplex.hpp"
 
 namespace pfem {
@@ -179,7 +180,8 @@ std::vector<std::string> doubts(const Dictionary& materials, const Dictionary& g
             doubt(materials.subDict(material.name), "kappa",
                   fmt::format("under its own weight ({:.3g} m deep) this fluid loses more than a tenth of its volume",
                               depth));
-        if (material.kind == MaterialKind::solid && material.solid.rho * g * depth > 10 * material.solid.elastic.E)
+        if (material.kind == MaterialKind::solid && !rigidOf(material.solid.law.get()) &&
+            material.solid.rho * g * depth > 10 * material.solid.elastic.E)
             doubt(materials.subDict(material.name), materials.subDict(material.name).found("E") ? "E" : "type",
                   "this solid is crushed by its own weight");
     }
@@ -190,10 +192,17 @@ template <int Dim>
 void checkLaws(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const IntegrationControls& integration) {
     if (!mixesCells(integration.scheme())) return;
     std::map<int, int> cellOf;
+    const auto isRigid = [&](int e) { return rigidOf(problem.solid(mesh.solid.material[e]).law.get()) != nullptr; };
     const auto kindOf = [&](int e) { return problem.solid(mesh.solid.material[e]).law->kinematics(); };
     for (int e = 0; e < mesh.solid.size(); ++e)
         for (const int node : mesh.solid.nodes[e]) {
             const int other = cellOf.emplace(node, e).first->second;
+            if (isRigid(other) != isRigid(e))
+                throw UserError(fmt::format(
+                    "The solids of the materials '{}' and '{}' have common nodes, but only one is rigid: use "
+                    "'integration elemental;' in system/pfemSolution",
+                    problem.materials[mesh.solid.material[other]].name,
+                    problem.materials[mesh.solid.material[e]].name));
             if (kindOf(other) == kindOf(e)) continue;
             throw UserError(fmt::format(
                 "The solids of the materials '{}' and '{}' have common nodes, but one law takes its stress from the "

@@ -45,10 +45,10 @@ StepResult<Dim> iterate(const Step<Dim>& step, const Controls& controls, Trial<D
         const bool followed = fluid.follows;
         solid.moveTo(old, trial.end, step.dt());  // stresses
         fluid.flow(trial.middle.v);
-        const auto dv = momentum.solve(momentum.residual(trial, report.finalU));  // R_m, (M + K) dv = -R_m
-        changeVelocity<Dim>(step, momentum.part(dv), dv, trial);                  // v, x, a
-        fluid.moveTo(trial.middle.x);                                             // domains in the new configuration
-        dp = continuity.solve(continuity.residual(trial), trial);                 // R_c, dp
+        const auto dv = momentum.solve(momentum.residual(trial, report.finalU), trial);  // R_m, (M + K) dv = -R_m
+        changeVelocity<Dim>(step, momentum.part(dv), dv, trial);                         // v, x, a
+        fluid.moveTo(trial.middle.x);                              // domains in the new configuration
+        dp = continuity.solve(continuity.residual(trial), trial);  // R_c, dp
         setExcess<Dim>(step, continuity.next(trial.excess, dp), trial);
         if (!followed && fluid.follows) continuity.restart();
 

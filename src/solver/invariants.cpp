@@ -98,6 +98,33 @@ void checkWalls(const Topology<Dim>& topology, const Points<Dim>& xOld, const St
         if (through[i] != nullptr) fail<Dim>(next.nodes, i, "went through the wall '" + *through[i] + "'");
 }
 
+/// Nodes of solids that have gone through walls: half of h behind a face in front of whose line they began.
+template <int Dim>
+void checkSolidsAtWalls(const Topology<Dim>& topology, const State<Dim>& next) {
+    const Nodes<Dim>& nodes = next.nodes;
+    const auto depth = [&](const Face<Dim>& face, const Points<Dim>& x, int i) {
+        return faceArea<Dim>(x, face).normalized().dot(x[i] - x[face[0]]);
+    };
+    std::vector<std::pair<Face<Dim>, int>> walls;  // as they are counted now, and their patches
+    std::size_t w = 0;
+    for (std::size_t k = 0; k < next.mesh.patches.size(); ++k)
+        for (const auto& face : next.mesh.patches[k].faces)
+            if (topology.walls[w++].patch >= 0) walls.emplace_back(face, static_cast<int>(k));
+    for (int e = 0; e < next.mesh.solid.size(); ++e)
+        for (const int i : next.mesh.solid.nodes[e])
+            for (const auto& [face, patch] : walls) {
+                const double d = depth(face, nodes.x, i), h = nodes.h[i];
+                if (!(d > 0.5 * h && d < 2 * h) || depth(face, nodes.X, i) > 0.1 * h ||
+                    footWeights<Dim>(nodes.x, face, nodes.x[i]).minCoeff() < 0)
+                    continue;
+                fail<Dim>(
+                    nodes, i,
+                    fmt::format("of the solid '{}' went through the wall '{}': a file constant/contact makes solids "
+                                "meet walls",
+                                next.mesh.materials[next.mesh.solid.material[e]], next.mesh.patches[patch].name));
+            }
+}
+
 /// Nodes that went through a solid. Only one that moves farther than half of the solid's mesh size can do so unseen:
 /// what is inside a solid after a step has been put out again on the nearer side.
 template <int Dim>
@@ -137,6 +164,7 @@ void checkInvariants(const ConvergenceControls& controls, const Topology<Dim>& t
     checkCells<Dim>("fluid", next.nodes, next.mesh.fluid.nodes);
     const Points<Dim> xOld = oldPositions<Dim>(last.nodes, next.nodes);
     checkWalls<Dim>(topology, xOld, next);
+    checkSolidsAtWalls<Dim>(topology, next);
     checkSolids<Dim>(xOld, next);
     const double before = totalVolume<Dim>(last), after = totalVolume<Dim>(next) - next.ledger.sum(CauseKind::passage) +
                                                           last.ledger.sum(CauseKind::passage);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/parallel.hpp"
+#include "momentum/rigidInertia.hpp"
 #include "momentum/surfaceStiffness.hpp"
 #include "solver/scales.hpp"
 
@@ -14,6 +15,7 @@ MomentumSystem<Dim> MomentumEquation<Dim>::makeSystem(const Controls& controls) 
     SolidBlock<Dim> block;
     block.dofs = solidDofs<Dim>(step_.topology.solid, step_.constraints);
     block.matrix = solidMatrix<Dim>(solid_.solids, solid_.domains, block.dofs, diagonal, step_.old.h, step_.midpoint);
+    addRigidMatrix<Dim>(step_, block);
     return MomentumSystem<Dim>(step_, controls.momentum, fluid_, diagonal, std::move(block));
 }
 
@@ -28,7 +30,9 @@ MomentumEquation<Dim>::MomentumEquation(const Step<Dim>& step, const Controls& c
       solidForceOld_(step.old.size(), Vec<Dim>::Zero()),
       stiffness_(surfaceStiffness<Dim>(step.problem, step.mesh.fluid, step.topology, step.old.x, step.midpoint)),
       mass_(nodalMass<Dim>(fluid, solid)),
-      system_(makeSystem(controls)) {
+      system_(makeSystem(controls)),
+      contact_(contactPairs<Dim>(step.problem, step.mesh, step.topology, step.old, step.dt()), step.old, step.dt(),
+               step.problem.contact.friction) {
     addInternalForce<Dim>(solid.domains, solid.elementStress, solidForceOld_);
 }
 
@@ -45,14 +49,17 @@ Points<Dim> MomentumEquation<Dim>::residual(const Trial<Dim>& trial, double chan
     auto external = externalForce<Dim>(step_.mesh, step_.topology, fluid_, trial.middle);
     parallelFor(n, [&](int i) { external[i] -= viscous_[i] + (1 - gamma) * solidForceOld_[i]; });
     auto R = momentumResidual<Dim>(mass_, trial.middle, fluid_, solid_, external, gamma);
+    addRigidInertia<Dim>(step_, trial, R);
+    setLevers<Dim>(step_, trial, system_.solidDofs());
     parallelFor(n, [&](int i) { R[i] /= gamma; });
     return R;
 }
 
 template <int Dim>
-Points<Dim> MomentumEquation<Dim>::solve(const Points<Dim>& residual) {
+Points<Dim> MomentumEquation<Dim>::solve(const Points<Dim>& residual, const Trial<Dim>& trial) {
     system_.setInertia(inertia());
     auto dv = system_.solve(residual);
+    contact_.add(system_, trial.end.v, dv);
     linearIterations_ += system_.linearIterations();
     return dv;
 }

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "momentum/contactForces.hpp"
 #include "momentum/momentumSystem.hpp"
 #include "momentum/residual.hpp"
 #include "solver/controls.hpp"
@@ -22,8 +23,8 @@ public:
     /// `change`: |dv|/|v| of the last iteration, whatever for the first.
     Points<Dim> residual(const Trial<Dim>& trial, double change);
 
-    /// dv for the right-hand side -R_m of the last residual.
-    Points<Dim> solve(const Points<Dim>& residual);
+    /// dv for the right-hand side -R_m of the last residual, which is that of the iterate.
+    Points<Dim> solve(const Points<Dim>& residual, const Trial<Dim>& trial);
 
     /// The part of dv to take: less than all where a viscosity that depends on the flow would make it overshoot.
     double part(const Points<Dim>& dv) { return fluid_.newtonian ? 1 : damping_.next(dv); }
@@ -49,6 +50,7 @@ private:
     Points<Dim> stiffness_;      // of the surface
     std::vector<double> mass_;
     MomentumSystem<Dim> system_;
+    ContactForces<Dim> contact_;
     NewtonDamping<Dim> damping_;
     Points<Dim> viscous_;
     int linearIterations_ = 0;

@@ -65,7 +65,11 @@ Problem<Dim> readProblem(const Case& theCase, const State<Dim>& state, std::ostr
     problem.conditions = readBoundaryConditions<Dim>(conditions, mesh.patches);
     checkConditions<Dim>(conditions, problem.conditions, state);
     checkOpenings<Dim>(conditions, problem.conditions, state);
-    for (const auto* dict : {&materials, &g, &conditions})
+    const auto contactFile = theCase.constant("contact");
+    const Dictionary contact = std::filesystem::exists(contactFile) ? Dictionary::read(contactFile) : Dictionary();
+    problem.contact.on = std::filesystem::exists(contactFile);
+    readEntries(contact, problem.contact);
+    for (const auto* dict : {&materials, &g, &conditions, &contact})
         if (warnings) warnUnused(*dict, *warnings);
     if (warnings && state.time.index == 0)
         for (const auto& text : doubts<Dim>(materials, g, conditions, problem, state))

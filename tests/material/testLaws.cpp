@@ -148,7 +148,8 @@ TEST_P(EverySolidLaw, insideOutIsAFailedStep) {
 
 std::vector<std::string> namesOf(const auto& laws) {
     std::vector<std::string> names;
-    for (const auto& law : laws) names.push_back(law.name);
+    for (const auto& law : laws)
+        if (law.name != "rigid") names.push_back(law.name);  // no stress belongs to rigid bodies
     return names;
 }
 

@@ -1,0 +1,86 @@
+#include "momentum/contactForces.hpp"
+
+#include <algorithm>
+
+namespace pfem {
+
+template <int Dim>
+ContactForces<Dim>::ContactForces(std::vector<ContactPair<Dim>> pairs, const Nodes<Dim>& old, double dt,
+                                  double friction)
+    : pairs_(std::move(pairs)), friction_(friction), force_(pairs_.size(), Vec<Dim>::Zero()) {
+    for (const auto& pair : pairs_) {
+        const double gap = pair.gap < 0 ? 0.1 * pair.gap : pair.gap;  // what has entered comes out slowly
+        bound_.push_back(-gap / dt - 0.5 * pair.relative(old.v)[0]);
+    }
+}
+
+/// W and A^-1 J^T with the present levers of rigid bodies.
+template <int Dim>
+void ContactForces<Dim>::respond(const MomentumSystem<Dim>& system) {
+    const auto n = static_cast<Eigen::Index>(pairs_.size() * Dim);
+    Eigen::MatrixXd rows(system.solid().dofs.n, n);
+    answer_.resize(system.solid().dofs.n, n);
+    for (Eigen::Index c = 0; c < n; ++c) {
+        std::vector<std::pair<int, Vec<Dim>>> forces;
+        const auto& pair = pairs_[static_cast<std::size_t>(c / Dim)];
+        for (const auto& [node, w] : pair.weight) forces.emplace_back(node, w * pair.frame.col(c % Dim));
+        rows.col(c) = system.onSolids(forces);
+        answer_.col(c) = system.solveSolids(rows.col(c));
+    }
+    W_ = rows.transpose() * answer_;
+}
+
+/// Sweeps over the pairs until nothing changes.
+template <int Dim>
+void ContactForces<Dim>::relax(std::vector<Vec<Dim>>& u) {
+    constexpr int maxSweeps = 2000;
+    double largest = 0;
+    for (const auto& one : u) largest = std::max(largest, one.norm());
+    const int n = static_cast<int>(pairs_.size());
+    for (int sweep = 0; sweep < maxSweeps; ++sweep) {
+        double change = 0;
+        for (int c = 0; c < n; ++c) {
+            const Tensor<Dim> own = W_.block<Dim, Dim>(c * Dim, c * Dim);
+            if (!(own(0, 0) > 0)) continue;  // both are held
+            Vec<Dim> next = force_[c];
+            next[0] = std::max(0.0, next[0] - (u[c][0] - bound_[c]) / own(0, 0));
+            auto along = next.template tail<Dim - 1>();
+            if (friction_ > 0) {
+                const double stiffest = own.template bottomRightCorner<Dim - 1, Dim - 1>().trace();
+                along -= (u[c] + own.col(0) * (next[0] - force_[c][0])).template tail<Dim - 1>() / stiffest;
+                const double most = friction_ * next[0], size = along.norm();
+                if (size > most) along *= most / size;
+            }
+            const Vec<Dim> step = next - force_[c];
+            if (step.isZero(0)) continue;
+            force_[c] = next;
+            for (int d = 0; d < n; ++d) u[d] += W_.block<Dim, Dim>(d * Dim, c * Dim) * step;
+            change = std::max(change, (own * step).norm());
+        }
+        if (change <= 1e-13 * largest) return;
+    }
+}
+
+template <int Dim>
+void ContactForces<Dim>::add(const MomentumSystem<Dim>& system, const Points<Dim>& v, Points<Dim>& dv) {
+    if (!any()) return;
+    if (W_.size() == 0 || !system.solid().dofs.bodies.empty()) respond(system);
+    std::vector<Vec<Dim>> u;
+    for (const auto& pair : pairs_) u.push_back(pair.relative(v) + pair.relative(dv));
+    const auto n = static_cast<Eigen::Index>(pairs_.size());
+    const auto forces = [&] {
+        Eigen::VectorXd all(n * Dim);
+        for (Eigen::Index c = 0; c < n; ++c) all.segment<Dim>(c * Dim) = force_[static_cast<std::size_t>(c)];
+        return all;
+    };
+    const Eigen::VectorXd made = W_ * forces();  // by the forces of the last iterate
+    for (Eigen::Index c = 0; c < n; ++c) u[static_cast<std::size_t>(c)] += made.segment<Dim>(c * Dim);
+    relax(u);
+    system.addOfSolids(answer_ * forces(), dv);
+}
+
+#define PFEM_INSTANTIATE(D) template class ContactForces<D>;
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
+
+}  // namespace pfem

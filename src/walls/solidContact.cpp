@@ -1,0 +1,146 @@
+#include "walls/solidContact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "mesh/bins.hpp"
+#include "mesh/onFace.hpp"
+#include "mesh/simplex.hpp"
+
+namespace pfem {
+
+namespace {
+
+/// How far beyond the end of a face a node may be, in parts of the face: corner upon corner is contact.
+constexpr double beyondEnd = 0.01;
+
+/// What stays between solids, in parts of h: nodes that coincide could not be triangulated with the fluid around them.
+constexpr double clearance = 1e-3;
+
+/// A face that something may meet, seen from outside.
+template <int Dim>
+struct Obstacle {
+    Face<Dim> nodes;
+    Vec<Dim> normal;
+    int group;  // region of the walls; body of a solid, counted on
+    bool solid;
+};
+
+/// Bodies: solid cells that hang together; per node its body, -1 for others.
+template <int Dim>
+std::vector<int> bodiesOfNodes(const Mesh<Dim>& mesh, int nNodes) {
+    std::vector<int> parent(nNodes);
+    for (int i = 0; i < nNodes; ++i) parent[i] = i;
+    const auto root = [&](int i) {
+        while (parent[i] != i) i = parent[i] = parent[parent[i]];
+        return i;
+    };
+    for (const auto& cell : mesh.solid.nodes)
+        for (const int node : cell) parent[root(node)] = root(cell[0]);
+    std::vector<int> body(nNodes, -1);
+    for (const auto& cell : mesh.solid.nodes)
+        for (const int node : cell) body[node] = root(node);
+    return body;
+}
+
+template <int Dim>
+struct Scene {
+    std::vector<Obstacle<Dim>> obstacles;
+    std::vector<int> node;        // that may meet them
+    std::map<int, Vec<Dim>> own;  // outward normals of solids' nodes, means of their faces
+    std::vector<int> body;        // per node of the mesh
+};
+
+template <int Dim>
+Scene<Dim> sceneOf(const Mesh<Dim>& mesh, const Topology<Dim>& topology, const Nodes<Dim>& nodes) {
+    Scene<Dim> scene;
+    scene.body = bodiesOfNodes<Dim>(mesh, nodes.size());
+    int regions = 0;
+    for (const auto& wall : topology.walls) {
+        if (wall.patch < 0) continue;
+        scene.obstacles.push_back({wall.nodes, inwardNormal<Dim>(nodes.x, wall.nodes), wall.region, false});
+        regions = std::max(regions, wall.region + 1);
+    }
+    for (const auto& face : boundaryFaces<Dim>(mesh.solid.nodes, topology.solid)) {
+        const Vec<Dim> area = faceArea<Dim>(nodes.x, face.nodes);
+        scene.obstacles.push_back({face.nodes, area.normalized(), regions + scene.body[face.nodes[0]], true});
+        for (const int i : face.nodes) scene.own.emplace(i, Vec<Dim>::Zero()).first->second += area;
+    }
+    for (const auto& [i, normal] : scene.own) scene.node.push_back(i);
+    for (int i = 0; i < topology.nNodes(); ++i)
+        if (topology.wallPoint[i]) scene.node.push_back(i);
+    return scene;
+}
+
+/// Does the face look at the node, and is it none of the node's own?
+template <int Dim>
+bool mayMeet(const Scene<Dim>& scene, int i, const Obstacle<Dim>& obstacle) {
+    if (scene.body[i] < 0) return obstacle.solid;  // points of walls
+    return scene.own.at(i).dot(obstacle.normal) < 0 &&
+           std::find(obstacle.nodes.begin(), obstacle.nodes.end(), i) == obstacle.nodes.end();
+}
+
+template <int Dim>
+ContactPair<Dim> pairOf(int i, const Obstacle<Dim>& obstacle, const Vec<Dim>& weights, double gap) {
+    ContactPair<Dim> pair;
+    pair.weight.emplace_back(i, 1.0);
+    for (int k = 0; k < Dim; ++k) pair.weight.emplace_back(obstacle.nodes[k], -weights[k]);
+    const Tensor<Dim> basis = basisAround<Dim>(obstacle.normal);  // the normal is the last
+    pair.frame.col(0) = basis.col(Dim - 1);
+    for (int k = 1; k < Dim; ++k) pair.frame.col(k) = basis.col(k - 1);
+    pair.gap = gap;
+    return pair;
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<ContactPair<Dim>> contactPairs(const Problem<Dim>& problem, const Mesh<Dim>& mesh,
+                                           const Topology<Dim>& topology, const Nodes<Dim>& nodes, double dt) {
+    std::vector<ContactPair<Dim>> pairs;
+    if (!problem.contact.on || mesh.solid.nodes.empty()) return pairs;
+    const Scene<Dim> scene = sceneOf<Dim>(mesh, topology, nodes);
+    double fastest = 0, size = 0;
+    for (const int i : scene.node) {
+        fastest = std::max(fastest, nodes.v[i].norm());
+        if (scene.body[i] >= 0) size = std::max(size, nodes.h[i]);
+    }
+    const double fall = problem.gravity.norm() * dt * dt, farthest = 4 * dt * fastest + fall + 0.5 * size;
+    Bins<Dim> bins(nodes.x, 2 * size);
+    for (std::size_t k = 0; k < scene.obstacles.size(); ++k) {
+        Vec<Dim> low = nodes.x[scene.obstacles[k].nodes[0]], high = low;
+        for (const int i : scene.obstacles[k].nodes) {
+            low = low.cwiseMin(nodes.x[i]).eval();
+            high = high.cwiseMax(nodes.x[i]).eval();
+        }
+        bins.add(static_cast<int>(k), low, high);
+    }
+    for (const int i : scene.node) {
+        std::map<int, ContactPair<Dim>> nearest;  // by group
+        bins.forEachNear(nodes.x[i], farthest, [&](int k) {
+            const Obstacle<Dim>& obstacle = scene.obstacles[k];
+            if (!mayMeet<Dim>(scene, i, obstacle)) return;
+            const Vec<Dim> weights = footWeights<Dim>(nodes.x, obstacle.nodes, nodes.x[i]);
+            if (weights.minCoeff() < -beyondEnd) return;
+            const double h = scene.body[i] >= 0 ? nodes.h[i] : nodes.h[obstacle.nodes[0]];
+            const double between = obstacle.solid && scene.body[i] >= 0 ? clearance * h : 0;
+            const double gap = obstacle.normal.dot(nodes.x[i] - nodes.x[obstacle.nodes[0]]) - between;
+            auto pair = pairOf<Dim>(i, obstacle, weights, gap);
+            const double approach = std::max(0.0, -pair.relative(nodes.v)[0]);
+            if (gap < -0.5 * h || gap > 3 * dt * approach + fall + 0.02 * h) return;
+            const auto [known, isNew] = nearest.emplace(obstacle.group, pair);
+            if (!isNew && std::abs(gap) < std::abs(known->second.gap)) known->second = std::move(pair);
+        });
+        for (auto& [group, pair] : nearest) pairs.push_back(std::move(pair));
+    }
+    return pairs;
+}
+
+#define PFEM_INSTANTIATE(D)                                                                                     \
+    template std::vector<ContactPair<D>> contactPairs<D>(const Problem<D>&, const Mesh<D>&, const Topology<D>&, \
+                                                         const Nodes<D>&, double);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
+
+}  // namespace pfem
