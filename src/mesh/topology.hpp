@@ -95,8 +95,8 @@ struct Topology {
     }
     /// Have all nodes of a face a support on one wall?
     bool liesOnWall(const Face<Dim>& face) const {
-        const auto& walls = supports[face[0]];
-        return std::any_of(walls.begin(), walls.end(), [&](int wall) {
+        const auto& own = supports[face[0]];
+        return std::any_of(own.begin(), own.end(), [&](int wall) {
             return wall >= 0 &&
                    std::all_of(face.begin(), face.end(), [&](int node) { return supportOn(node, wall) >= 0; });
         });
