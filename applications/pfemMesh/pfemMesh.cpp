@@ -55,7 +55,7 @@ void checkConditions(const Case& theCase, const State<Dim>& state) {
     try {
         const Dictionary dict = Dictionary::read(file);
         const auto conditions = readBoundaryConditions<Dim>(dict, state.mesh.patches);
-        if constexpr (Dim == 2) pfem::checkConditions<2>(dict, conditions, state);
+        pfem::checkConditions<Dim>(dict, conditions, state);
         warnUnused(dict, std::cerr);
     } catch (const UserError& error) {
         std::cerr << "--> PFEM Warning: pfemFsiFoam will refuse the conditions in " << toString(error.where()) << ": "

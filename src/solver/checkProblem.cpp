@@ -118,6 +118,11 @@ void checkConditions(const Dictionary& dict, const BoundaryConditions<Dim>& cond
             entry.fatal("type", "'" + name + "' is a rigid wall: it can be " + list(true));
         if (type.onlyOfSolids && roles[k].offSolid)
             entry.fatal("type", "'" + name + "' is not the edge of a solid: only solids can be clamped or loaded");
+        // faces of the fluid are new in every step: in space they are not those of the patch for long
+        if (Dim == 3 && type.kind == PatchKind::symmetry && roles[k].offSolid)
+            entry.fatal("type", "'" + name +
+                                    "' is not on a solid alone: in space a plane of symmetry of the fluid is a wall "
+                                    "(walls in system/meshDict) of type slip");
     }
     checkMotions<Dim>(dict, conditions, state.mesh);
 }

@@ -16,8 +16,8 @@ template <int Dim>
 void checkOneFluid(const Dictionary& materials, const Mesh<Dim>& mesh);
 
 /// Throws UserError at the entry of a patch whose condition is none for what it is: a rigid wall must be slip
-/// or noSlip, an edge of a solid must not; only edges of solids can be clamped or carry a traction. Also
-/// where walls and clamped edges with a common node do not move alike.
+/// or noSlip, an edge of a solid must not; only edges of solids can be clamped or carry a traction, and in
+/// space be planes of symmetry. Also where walls and clamped edges with a common node do not move alike.
 template <int Dim>
 void checkConditions(const Dictionary& dict, const BoundaryConditions<Dim>& conditions, const State<Dim>& state);
 

@@ -9,7 +9,7 @@
 #include "continuity/stabilisation.hpp"
 #include "momentum/mass.hpp"
 #include "momentum/surfaceStiffness.hpp"
-#include "support/cases.hpp"
+#include "support/bothDimensions.hpp"
 
 using namespace pfem;
 using namespace pfem::test;
@@ -24,57 +24,61 @@ ContinuityControls exactly() {
     return controls;
 }
 
+PFEM_BOTH_DIMENSIONS(PressureMatrix);
+
+template <int Dim>
 struct Coupled {
-    TestCase c = irregularPair();
-    Topology<2> topology = c.topology();
-    NodeConstraints<2> constraints = c.constraints(topology);
-    const Points<2>& x = c.state.nodes.x;
+    CaseOf<Dim> c = irregular<Dim>();
+    Topology<Dim> topology = c.topology();
+    NodeConstraints<Dim> constraints = c.constraints(topology);
+    const Points<Dim>& x = c.state.nodes.x;
     MidpointRule midpoint{2e-3};
-    SmoothingDomains<2> fluid = makeSmoothingDomains<2>(c.state.mesh.fluid.nodes, topology.fluid, x);
-    SmoothingDomains<2> solid = makeSmoothingDomains<2>(c.state.mesh.solid.nodes, topology.solid, x);
+    SmoothingDomains<Dim> fluid = makeSmoothingDomains<Dim>(c.state.mesh.fluid.nodes, topology.fluid, x);
+    SmoothingDomains<Dim> solid = makeSmoothingDomains<Dim>(c.state.mesh.solid.nodes, topology.solid, x);
     PerCell<double> mu = PerCell<double>(c.state.mesh.fluid.size(), 3.0);  // of the water
-    PerCell<double> tau = stabilisation<2>(c.problem, c.state.mesh.fluid, fluid, mu, c.state.nodes.v, midpoint.dt);
+    PerCell<double> tau = stabilisation<Dim>(c.problem, c.state.mesh.fluid, fluid, mu, c.state.nodes.v, midpoint.dt);
     int n = c.state.nodes.size();
-    SolidDofs<2> dofs = solidDofs<2>(topology.solid, constraints);
+    SolidDofs<Dim> dofs = solidDofs<Dim>(topology.solid, constraints);
     SymmetricMatrix A = solidMatrix();
 
     SymmetricMatrix solidMatrix() const {
-        auto mass = fluidMass<2>(c.problem, c.state.mesh.fluid, fluid);
-        const auto more = solidMass<2>(c.problem, c.state.mesh.solid, x);
+        auto mass = fluidMass<Dim>(c.problem, c.state.mesh.fluid, fluid);
+        const auto more = solidMass<Dim>(c.problem, c.state.mesh.solid, x);
         for (int i = 0; i < n; ++i) mass[i] += more[i];
-        return pfem::solidMatrix<2>({c.problem, c.controls.solid, c.state.mesh.solid}, solid, dofs,
-                                    matrixInertia<2>(mass, Points<2>(mass.size(), Vec<2>::Zero()), midpoint),
-                                    c.state.nodes.h, midpoint);
+        return pfem::solidMatrix<Dim>({c.problem, c.controls.solid, c.state.mesh.solid}, solid, dofs,
+                                      matrixInertia<Dim>(mass, Points<Dim>(mass.size(), Vec<Dim>::Zero()), midpoint),
+                                      c.state.nodes.h, midpoint);
     }
     PerCell<unsigned char> projected(const ContinuityControls& controls) const {
-        return projectedCells<2>(controls, c.problem, c.state.mesh.fluid, topology, c.state.nodes);
+        return projectedCells<Dim>(controls, c.problem, c.state.mesh.fluid, topology, c.state.nodes);
     }
-    Step<2> step(const Problem<2>& problem) const {
+    Step<Dim> step(const Problem<Dim>& problem) const {
         return {problem, c.state.mesh, topology, constraints, c.state.nodes, midpoint};
     }
-    FluidPhase<2> phase(const Problem<2>& problem) const {
+    FluidPhase<Dim> phase(const Problem<Dim>& problem) const {
         return {problem, c.state.mesh, topology.fluid, c.state.nodes, Integration::nodal};
     }
-    ContinuitySystem<2> system(const ContinuityControls& controls) const {
+    ContinuitySystem<Dim> system(const ContinuityControls& controls) const {
         return {step(c.problem), controls, phase(c.problem), {tau, projected(controls)}, x, {dofs, A}};
     }
     /// R_c of pressure p and velocities v without gravity.
     std::vector<double> residual(const PerCell<double>& stabilisationTime, const std::vector<double>& p,
-                                 const Points<2>& v) const {
-        Problem<2> problem = c.problem;
+                                 const Points<Dim>& v) const {
+        Problem<Dim> problem = c.problem;
         problem.gravity.setZero();
-        Nodes<2> trial = c.state.nodes;
+        Nodes<Dim> trial = c.state.nodes;
         trial.p = p;
         trial.v = v;
-        return continuityResidual<2>(step(problem), exactly(), phase(problem),
-                                     {stabilisationTime, projected(exactly())}, {trial, trial, {}, Vec<2>::Zero()});
+        return continuityResidual<Dim>(step(problem), exactly(), phase(problem),
+                                       {stabilisationTime, projected(exactly())}, {trial, trial, {}, Vec<Dim>::Zero()});
     }
-    Points<2> still() const { return Points<2>(n, Vec<2>::Zero()); }
+    Points<Dim> still() const { return Points<Dim>(n, Vec<Dim>::Zero()); }
 };
 
 // Without the Schur term and the compliances, with M_G as it is, the matrix is dR_c/dp.
-TEST(ContinuitySystem, isTheDerivativeOfTheResidual) {
-    Coupled s;
+TYPED_TEST(PressureMatrix, isTheDerivativeOfTheResidual) {
+    constexpr int Dim = TypeParam::value;
+    Coupled<Dim> s;
     ContinuityControls controls = exactly();
     controls.schurScale = controls.complianceScale = controls.freeSurfaceScale = 0;
     auto R = randomNumbers(s.n, 1);
@@ -88,8 +92,9 @@ TEST(ContinuitySystem, isTheDerivativeOfTheResidual) {
     }
 }
 
-TEST(ContinuitySystem, schurTermIsALargerStabilisation) {
-    Coupled s;
+TYPED_TEST(PressureMatrix, schurTermIsALargerStabilisation) {
+    constexpr int Dim = TypeParam::value;
+    Coupled<Dim> s;
     ContinuityControls controls = exactly();
     controls.complianceScale = controls.freeSurfaceScale = 0;
     controls.schurScale = 1.5;
@@ -103,11 +108,12 @@ TEST(ContinuitySystem, schurTermIsALargerStabilisation) {
     std::vector<double> surface(s.n, 0.0);
     for (const auto& face : s.topology.faces) {
         if (face.kind != FaceKind::freeSurface) continue;
-        const double length = (s.x[face.nodes[1]] - s.x[face.nodes[0]]).norm();
-        const double cell = s.fluid.element[face.cell].measure, height = 2 * cell / length;
-        const auto tauN = [&](double tau) { return surfaceStabilisation<2>(tau, s.mu[face.cell], cell, length); };
+        const double length = faceArea<Dim>(s.x, face.nodes).norm();
+        const double cell = s.fluid.element[face.cell].measure, height = Dim * cell / length;
+        const auto tauN = [&](double tau) { return surfaceStabilisation<Dim>(tau, s.mu[face.cell], cell, length); };
         for (int node : face.nodes)
-            surface[node] += (3 * tauN(s.tau[face.cell]) - tauN(more[face.cell])) * length / height * dp[node];
+            surface[node] +=
+                (3 * tauN(s.tau[face.cell]) - tauN(more[face.cell])) * 2 / height * length / Dim * dp[node];
     }
     for (int i = 0; i < s.n; ++i)
         if (s.topology.wet(i)) {
@@ -117,8 +123,9 @@ TEST(ContinuitySystem, schurTermIsALargerStabilisation) {
 
 // K_p dp + (c_s B A_s^-1 B^T dp + c_f B m^-1 B^T dp)/gamma = -R: with a dense elimination of the velocities of the
 // elastic interface and of the free surface.
-TEST(ContinuitySystem, complianceOfTheMovingBoundary) {
-    Coupled s;
+TYPED_TEST(PressureMatrix, complianceOfTheMovingBoundary) {
+    constexpr int Dim = TypeParam::value;
+    Coupled<Dim> s;
     s.c.problem.gravity.setZero();  // no surfaceStiffness
     ContinuityControls controls = exactly();
     controls.schurScale = 0;
@@ -129,8 +136,8 @@ TEST(ContinuitySystem, complianceOfTheMovingBoundary) {
 
     const PerCell<double> zeroTau(s.tau.size(), 0.0);
     const std::vector<double> zero(s.n, 0.0);
-    const auto divergence = [&](int node, const Vec<2>& direction) {
-        Points<2> v = s.still();
+    const auto divergence = [&](int node, const Vec<Dim>& direction) {
+        Points<Dim> v = s.still();
         v[node] = direction;
         const auto Bv = s.residual(zeroTau, zero, v);
         return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(Bv.data(), s.n));
@@ -150,8 +157,8 @@ TEST(ContinuitySystem, complianceOfTheMovingBoundary) {
     Eigen::VectorXd surface = Eigen::VectorXd::Zero(s.n);
     for (int node = 0; node < s.n; ++node) {
         if (!s.topology.freeSurface[node] || s.topology.onSolid[node]) continue;
-        for (int d = 0; d < 2; ++d) {
-            const auto b = divergence(node, Vec<2>::Unit(d));
+        for (int d = 0; d < Dim; ++d) {
+            const auto b = divergence(node, Vec<Dim>::Unit(d));
             surface += 3 / s.midpoint.gamma * b.dot(q) / (s.midpoint.massFactor() * 1000 * s.fluid.volume[node]) * b;
         }
     }
@@ -164,8 +171,9 @@ TEST(ContinuitySystem, complianceOfTheMovingBoundary) {
     EXPECT_GT(surface.cwiseAbs().maxCoeff(), 0.1);
 }
 
-TEST(ContinuitySystem, strongSurfaceHasNoUnknown) {
-    Coupled s;
+TYPED_TEST(PressureMatrix, strongSurfaceHasNoUnknown) {
+    constexpr int Dim = TypeParam::value;
+    Coupled<Dim> s;
     ContinuityControls controls = exactly();
     controls.freeSurfacePressure = "strong";
     const auto system = s.system(controls);
@@ -178,8 +186,9 @@ TEST(ContinuitySystem, strongSurfaceHasNoUnknown) {
     }
 }
 
-TEST(ContinuitySystem, singlePrecisionIsForTheIteration) {
-    Coupled s;
+TYPED_TEST(PressureMatrix, singlePrecisionIsForTheIteration) {
+    constexpr int Dim = TypeParam::value;
+    Coupled<Dim> s;
     const auto R = randomNumbers(s.n, 1);
     ContinuityControls inSingle = exactly();
     inSingle.factorPrecision = "single";

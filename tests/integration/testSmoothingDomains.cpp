@@ -4,40 +4,42 @@
 
 #include <gtest/gtest.h>
 
-#include "support/cases.hpp"
+#include "support/bothDimensions.hpp"
 
 using namespace pfem;
 using namespace pfem::test;
 
 namespace {
 
+PFEM_BOTH_DIMENSIONS(Patches);
+
 /// Both materials of the irregular pair with their patches.
+template <int Dim>
 struct Pair {
-    TestCase c = irregularPair();
-    Topology<2> topology = c.topology();
-    SmoothingDomains<2> fluid = makeSmoothingDomains<2>(c.state.mesh.fluid.nodes, topology.fluid, c.state.nodes.x);
-    SmoothingDomains<2> solid = makeSmoothingDomains<2>(c.state.mesh.solid.nodes, topology.solid, c.state.nodes.x);
-    std::array<const SmoothingDomains<2>*, 2> both{&fluid, &solid};
-    const Points<2>& x = c.state.nodes.x;
+    CaseOf<Dim> c = irregular<Dim>();
+    Topology<Dim> topology = c.topology();
+    SmoothingDomains<Dim> fluid = makeSmoothingDomains<Dim>(c.state.mesh.fluid.nodes, topology.fluid, c.state.nodes.x);
+    SmoothingDomains<Dim> solid = makeSmoothingDomains<Dim>(c.state.mesh.solid.nodes, topology.solid, c.state.nodes.x);
+    std::array<const SmoothingDomains<Dim>*, 2> both{&fluid, &solid};
+    const Points<Dim>& x = c.state.nodes.x;
     int n = c.state.nodes.size();
 
     /// Nodes of boundary faces of one material.
-    std::vector<unsigned char> boundary(const SmoothingDomains<2>& patches) const {
+    std::vector<unsigned char> boundary(const SmoothingDomains<Dim>& patches) const {
         std::vector<unsigned char> flag(n, 0);
-        for (const auto& face : boundaryFaces<2>(*patches.cells, *patches.around))
+        for (const auto& face : boundaryFaces<Dim>(*patches.cells, *patches.around))
             for (int node : face.nodes) flag[node] = 1;
         return flag;
     }
 };
 
-double polygonArea(const std::vector<Simplex<2>>& cells, const Points<2>& x) {
-    // over the boundary alone: independent of how the inside is triangulated
-    double area = 0;
-    for (const auto& face : boundaryFaces<2>(cells, nodeToCells<2>(cells, static_cast<int>(x.size())))) {
-        const Vec<2>&a = x[face.nodes[0]], &b = x[face.nodes[1]];
-        area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
-    }
-    return area;
+/// int x . n/Dim over the boundary alone: independent of how the inside is meshed.
+template <int Dim>
+double enclosed(const std::vector<Simplex<Dim>>& cells, const Points<Dim>& x) {
+    double measure = 0;
+    for (const auto& face : boundaryFaces<Dim>(cells, nodeToCells<Dim>(cells, static_cast<int>(x.size()))))
+        measure += x[face.nodes[0]].dot(faceArea<Dim>(x, face.nodes)) / Dim;
+    return measure;
 }
 
 // Four points near a square have no node near another; terms with |e| |grad N|^2 would grow with the inverse of the
@@ -90,15 +92,16 @@ TEST(Simplex, gradientsAreDerivativesOfTheMeasure) {
     check(x3, std::integral_constant<int, 3>());
 }
 
-TEST(Patches, volumesSumToTheArea) {
-    Pair p;
+TYPED_TEST(Patches, volumesSumToWhatTheBoundaryEncloses) {
+    constexpr int Dim = TypeParam::value;
+    Pair<Dim> p;
     double fluid = 0, solid = 0;
     for (int i = 0; i < p.n; ++i) {
         fluid += p.fluid.volume[i];
         solid += p.solid.volume[i];
     }
-    EXPECT_NEAR(fluid, polygonArea(p.c.state.mesh.fluid.nodes, p.x), 1e-14);
-    EXPECT_NEAR(solid, polygonArea(p.c.state.mesh.solid.nodes, p.x), 1e-14);
+    EXPECT_NEAR(fluid, enclosed<Dim>(p.c.state.mesh.fluid.nodes, p.x), 1e-14);
+    EXPECT_NEAR(solid, enclosed<Dim>(p.c.state.mesh.solid.nodes, p.x), 1e-14);
     EXPECT_NEAR(fluid, 0.5, 0.05);
     int interface = 0;
     for (int i = 0; i < p.n; ++i)
@@ -107,36 +110,36 @@ TEST(Patches, volumesSumToTheArea) {
             EXPECT_GT(p.fluid.volume[i], 0);
             EXPECT_GT(p.solid.volume[i], 0);
         }
-    EXPECT_EQ(interface, 11);
+    EXPECT_EQ(interface, Dim == 2 ? 11 : 25);
 }
 
-TEST(Patches, uniformRateIsExactInBothPatches) {
-    Pair p;
-    Tensor<2> L;
-    L << 0.3, -1.2, 0.8, 0.45;
-    Points<2> v(p.n);
-    for (int i = 0; i < p.n; ++i) v[i] = Vec<2>(3, -2) + L * p.x[i];
+TYPED_TEST(Patches, uniformRateIsExactInBothPatches) {
+    constexpr int Dim = TypeParam::value;
+    Pair<Dim> p;
+    const Tensor<Dim> L = someGradient<Dim>();
+    Points<Dim> v(p.n);
+    for (int i = 0; i < p.n; ++i) v[i] = Vec<Dim>::LinSpaced(3, -2) + L * p.x[i];
     for (const auto* patches : p.both) {
-        const auto nodal = nodalMean<2>(*patches, elementGradient<2>(*patches, v));
+        const auto nodal = nodalMean<Dim>(*patches, elementGradient<Dim>(*patches, v));
         for (int i = 0; i < p.n; ++i) {
-            const Tensor<2> expected = patches->volume[i] > 0 ? L : Tensor<2>(Tensor<2>::Zero());
+            const Tensor<Dim> expected = patches->volume[i] > 0 ? L : Tensor<Dim>(Tensor<Dim>::Zero());
             EXPECT_LT((nodal[i] - expected).norm(), 1e-12);
         }
-        for (const auto& mean : elementMean<2>(*patches, nodal)) EXPECT_LT((mean - L).norm(), 1e-12);
+        for (const auto& mean : elementMean<Dim>(*patches, nodal)) EXPECT_LT((mean - L).norm(), 1e-12);
     }
 }
 
-TEST(Patches, constantStressGivesNoForceInside) {
-    Pair p;
-    Tensor<2> sigma;
-    sigma << 2, 0.7, 0.7, -1;
+TYPED_TEST(Patches, constantStressGivesNoForceInside) {
+    constexpr int Dim = TypeParam::value;
+    Pair<Dim> p;
+    const Tensor<Dim> sigma = corner<Dim>({2, 0.7, -0.3, 0.7, -1, 0.4, -0.3, 0.4, 1.5});
     for (const auto* patches : p.both) {
-        Points<2> force(p.n, Vec<2>::Zero());
-        addInternalForce<2>(*patches, PerCell<Tensor<2>>(patches->nCells(), sigma), force);
+        Points<Dim> force(p.n, Vec<Dim>::Zero());
+        addInternalForce<Dim>(*patches, PerCell<Tensor<Dim>>(patches->nCells(), sigma), force);
         const auto boundary = p.boundary(*patches);
-        Points<2> expected(p.n, Vec<2>::Zero());  // on the boundary: sigma n |face|/2
-        for (const auto& face : boundaryFaces<2>(*patches->cells, *patches->around))
-            for (int node : face.nodes) expected[node] += 0.5 * (sigma * faceArea<2>(p.x, face.nodes));
+        Points<Dim> expected(p.n, Vec<Dim>::Zero());  // on the boundary: sigma n |face|/d
+        for (const auto& face : boundaryFaces<Dim>(*patches->cells, *patches->around))
+            for (int node : face.nodes) expected[node] += sigma * faceArea<Dim>(p.x, face.nodes) / Dim;
         int inner = 0;
         for (int i = 0; i < p.n; ++i) {
             EXPECT_LT((force[i] - expected[i]).norm(), 1e-14);
@@ -145,82 +148,58 @@ TEST(Patches, constantStressGivesNoForceInside) {
                 EXPECT_LT(force[i].norm(), 1e-14);
             }
         }
-        EXPECT_GT(inner, 20);
+        EXPECT_GT(inner, Dim == 2 ? 20 : 8);
     }
 }
 
 // v . F = sum_I Omega_I sigma_I : L_I for any velocities and nodal stresses: the force is the derivative of the
 // strain power of the NODAL patches.
-TEST(Patches, forceIsConjugateToTheNodalRates) {
-    Pair p;
-    const auto v = randomVectors(p.n, 1);
-    const auto a = randomVectors(p.n, 2), b = randomVectors(p.n, 3);
-    PerNode<Tensor<2>> sigma(p.n);
-    for (int i = 0; i < p.n; ++i) sigma[i] << a[i][0], a[i][1], a[i][1], b[i][0];
+TYPED_TEST(Patches, forceIsConjugateToTheNodalRates) {
+    constexpr int Dim = TypeParam::value;
+    Pair<Dim> p;
+    const auto v = someVectors<Dim>(p.n, 1);
+    const auto a = someVectors<Dim>(p.n, 2), b = someVectors<Dim>(p.n, 3);
+    PerNode<Tensor<Dim>> sigma(p.n);
+    for (int i = 0; i < p.n; ++i) sigma[i] = a[i] * b[i].transpose() + b[i] * a[i].transpose();
     for (const auto* patches : p.both) {
-        Points<2> force(p.n, Vec<2>::Zero());
-        addInternalForce<2>(*patches, elementMean<2>(*patches, sigma), force);
-        const auto L = nodalMean<2>(*patches, elementGradient<2>(*patches, v));
+        Points<Dim> force(p.n, Vec<Dim>::Zero());
+        addInternalForce<Dim>(*patches, elementMean<Dim>(*patches, sigma), force);
+        const auto L = nodalMean<Dim>(*patches, elementGradient<Dim>(*patches, v));
         double power = 0;
         for (int i = 0; i < p.n; ++i) power += patches->volume[i] * (sigma[i].transpose() * L[i]).trace();
         EXPECT_NEAR(dot(v, force), power, 1e-13);
         EXPECT_GT(std::abs(power), 0.01);
-        Vec<2> total = Vec<2>::Zero();
+        Vec<Dim> total = Vec<Dim>::Zero();
         for (const auto& f : force) total += f;
         EXPECT_LT(total.norm(), 1e-13);  // no net force of internal stresses
     }
 }
 
 // The nodal gradient matrix by finite differences of L_I, and its definition element by element.
-TEST(Patches, nodalGradientIsTheMeanOverThePatch) {
-    Pair p;
+TYPED_TEST(Patches, nodalGradientIsTheMeanOverThePatch) {
+    constexpr int Dim = TypeParam::value;
+    Pair<Dim> p;
     for (const auto* patches : p.both)
         for (int J = 0; J < p.n; J += 13) {
-            Points<2> v(p.n, Vec<2>::Zero());
-            v[J] = {1, 0};
-            const auto L = nodalMean<2>(*patches, elementGradient<2>(*patches, v));
+            Points<Dim> v(p.n, Vec<Dim>::Zero());
+            v[J] = Vec<Dim>::UnitX();
+            const auto L = nodalMean<Dim>(*patches, elementGradient<Dim>(*patches, v));
             for (int i = 0; i < p.n; ++i) {
-                Vec<2> G = Vec<2>::Zero();
+                Vec<Dim> G = Vec<Dim>::Zero();
                 double volume = 0;
                 for (int e = 0; e < patches->nCells(); ++e) {
                     const auto& cell = patches->cell(e);
                     if (std::find(cell.begin(), cell.end(), i) == cell.end()) continue;
-                    const auto g = simplexGeometry<2>(p.x, cell);
-                    volume += g.measure / 3;
-                    for (int k = 0; k < 3; ++k)
-                        if (cell[k] == J) G += g.measure / 3 * g.gradN[k];
+                    const auto g = simplexGeometry<Dim>(p.x, cell);
+                    volume += g.measure / (Dim + 1);
+                    for (int k = 0; k <= Dim; ++k)
+                        if (cell[k] == J) G += g.measure / (Dim + 1) * g.gradN[k];
                 }
                 if (volume > 0) {
                     EXPECT_LT((L[i].row(0).transpose() - G / volume).norm(), 1e-12);
                 }
             }
         }
-}
-
-TEST(Patches, uniformRateIsExactInThreeDimensions) {
-    // a cube of six tetrahedra around its diagonal, its far corner moved
-    Points<3> x;
-    for (int i = 0; i < 8; ++i) x.push_back(Vec<3>(i & 1, (i >> 1) & 1, (i >> 2) & 1));
-    x[7] += Vec<3>(0.2, 0.3, -0.1);
-    const std::vector<Simplex<3>> cells = {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7},
-                                           {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}};
-    const auto around = nodeToCells<3>(cells, 8);
-    const auto patches = makeSmoothingDomains<3>(cells, around, x);
-    Tensor<3> L;
-    L << 0.1, -0.5, 0.3, 0.7, 0.2, -0.9, 0.4, 0.6, -0.8;
-    Points<3> v;
-    double volume = 0;
-    for (int i = 0; i < 8; ++i) {
-        v.push_back(L * x[i]);
-        volume += patches.volume[i];
-    }
-    double sum = 0;
-    for (const auto& s : cells) {
-        EXPECT_GT(simplexMeasure<3>(x, s), 0);
-        sum += simplexMeasure<3>(x, s);
-    }
-    EXPECT_NEAR(volume, sum, 1e-14);
-    for (const auto& l : nodalMean<3>(patches, elementGradient<3>(patches, v))) EXPECT_LT((l - L).norm(), 1e-12);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 // Small cases in three dimensions for tests.
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -16,6 +17,14 @@ namespace pfem::test {
 struct TestCase3 : Simulation<3> {
     const std::vector<PatchKind>& kinds() const { return problem.conditions.kind; }
     Topology<3> topology() const { return makeTopology<3>(state.mesh, kinds(), state.nodes.x, state.nodes.wall); }
+    NodeConstraints<3> constraints(const Topology<3>& topology) const {
+        return nodeConstraints<3>(state.mesh, problem.conditions, topology, state.nodes, state.time.value,
+                                  state.time.value);
+    }
+    void tolerance(double value, int maxIterations = 200) {
+        controls.convergence.tolU = controls.convergence.tolP = value;
+        controls.convergence.maxIterations = maxIterations;
+    }
 };
 
 /// Tetrahedra of a box from `low` to `high`, six to a cube of about size h, for which `isIn` says yes; their nodes.
@@ -58,6 +67,17 @@ inline void addLattice(State<3>& state, Cells<3>& cells, int material, const Vec
                     cells.material.push_back(material);
                 }
             }
+}
+
+/// A patch of the faces of the solids whose nodes all satisfy `isOn`.
+inline Patch<3> solidPatch(const State<3>& state, const std::string& name,
+                           const std::function<bool(const Vec<3>&)>& isOn) {
+    Patch<3> patch{name, {}};
+    const auto& cells = state.mesh.solid.nodes;
+    for (const auto& face : boundaryFaces<3>(cells, nodeToCells<3>(cells, state.nodes.size())))
+        if (std::all_of(face.nodes.begin(), face.nodes.end(), [&](int i) { return isOn(state.nodes.x[i]); }))
+            patch.faces.push_back(face.nodes);
+    return patch;
 }
 
 /// A wall of two triangles with the area vectors out of the fluid; corners in a circle as seen from the fluid's side.

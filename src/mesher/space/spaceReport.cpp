@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
+#include <queue>
 
+#include "mesh/adjacency.hpp"
 #include "mesh/simplex.hpp"
 #include "mesher/space/checkSurface.hpp"
 
@@ -23,6 +26,49 @@ double leastAngle(const Points<3>& x, const Simplex<3>& s) {
     return least;
 }
 
+/// About how many of the solid tetrahedra first .. last-1 are across their body where it is thickest: of a slender
+/// plate its thickness is twice its volume by its surface; of a bar twice the way from an inner node to the surface.
+double tetrahedraAcross(const State<3>& state, int first, int last, double h) {
+    const auto& all = state.mesh.solid.nodes;
+    const std::vector<Simplex<3>> cells(all.begin() + first, all.begin() + last);
+    const auto around = nodeToCells<3>(cells, state.nodes.size());
+    double volume = 0, surface = 0;
+    for (const auto& s : cells) volume += simplexMeasure<3>(state.nodes.x, s);
+    using Way = std::pair<double, int>;
+    std::vector<double> way(state.nodes.size(), std::numeric_limits<double>::infinity());
+    std::priority_queue<Way, std::vector<Way>, std::greater<>> open;
+    for (const auto& face : boundaryFaces<3>(cells, around)) {
+        surface += faceArea<3>(state.nodes.x, face.nodes).norm();
+        for (const int i : face.nodes) open.emplace(way[i] = 0, i);
+    }
+    double farthest = 0;
+    while (!open.empty()) {  // Dijkstra along the edges
+        const auto [length, i] = open.top();
+        open.pop();
+        if (length > way[i]) continue;
+        farthest = length;
+        for (int c = around.start[i]; c < around.start[i + 1]; ++c)
+            for (const int j : cells[around.cell[c]]) {
+                const double there = length + (state.nodes.x[i] - state.nodes.x[j]).norm();
+                if (there < way[j]) open.emplace(way[j] = there, j);
+            }
+    }
+    return std::max(2 * volume / surface, 2 * farthest) / h;
+}
+
+/// Part of the volume of the fluid tetrahedra first .. last-1 that has all nodes on walls. Along edges of a tank there
+/// are always some.
+double partOnWalls(const State<3>& state, int first, int last) {
+    double sum = 0, onWalls = 0;
+    for (int c = first; c < last; ++c) {
+        const auto& s = state.mesh.fluid.nodes[c];
+        const double volume = simplexMeasure<3>(state.nodes.x, s);
+        sum += volume;
+        if (std::all_of(s.begin(), s.end(), [&](int i) { return isSupported(state.nodes.wall[i]); })) onWalls += volume;
+    }
+    return onWalls / sum;
+}
+
 std::string warningsOf(const SpaceDescription& description, const SpaceMeshResult& result) {
     std::string text;
     for (const auto& warning : result.warnings) text += "--> PFEM Warning: " + warning + "\n";
@@ -35,6 +81,21 @@ std::string warningsOf(const SpaceDescription& description, const SpaceMeshResul
         if (q.minAngle < 5)
             text += fmt::format("--> PFEM Warning: '{}' has two faces at {:.1f} degrees near {}\n", body.name,
                                 q.minAngle, placeOf(q.worst));
+        if (q.count == 0) continue;
+        if (body.type == BodyType::fluid) {
+            const double part = partOnWalls(result.state, meshed.first, meshed.last);
+            if (part > 0.5)
+                text += fmt::format(
+                    "--> PFEM Warning: {:.0f} % of '{}' is in tetrahedra with all nodes on walls: the channel is too "
+                    "narrow for this meshSize\n",
+                    100 * part, body.name);
+            continue;
+        }
+        const double across = tetrahedraAcross(result.state, meshed.first, meshed.last, meshed.size);
+        if (across < 3)
+            text +=
+                fmt::format("--> PFEM Warning: solid '{}' has only about {:.1f} tetrahedra across; bending needs 4\n",
+                            body.name, across);
     }
     return text;
 }
