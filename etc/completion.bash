@@ -14,4 +14,4 @@ _pfem() {
         *) COMPREPLY=($(compgen -f -- "$word")) ;;
     esac
 }
-complete -o filenames -F _pfem pfemNewCase pfemMesh pfemFsiFoam pfemProbe pfemPostProcess pfemCheckMesh pfemListTimes pfemMassCheck pfemSnapshot pfemBounds pfemDictionary pfemHistory pfemAnimate
+complete -o filenames -F _pfem pfemNewCase pfemMesh pfemFsiFoam pfemProbe pfemPostProcess pfemCheckMesh pfemListTimes pfemMassCheck pfemSnapshot pfemBounds pfemSweep pfemDictionary pfemHistory pfemAnimate

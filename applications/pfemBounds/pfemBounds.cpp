@@ -7,7 +7,6 @@
 
 #include "application/optionValues.hpp"
 #include "application/runApplication.hpp"
-#include "application/runProgram.hpp"
 #include "base/atomicFile.hpp"
 #include "bounds/plotScript.hpp"
 #include "bounds/report.hpp"
@@ -15,6 +14,7 @@
 #include "case/interrupt.hpp"
 #include "functions/functionEntries.hpp"
 #include "mesher/space/readSpaceDict.hpp"
+#include "study/draw.hpp"
 
 using namespace pfem;
 
@@ -72,18 +72,6 @@ void warnOfUnlikeMeshes(const std::vector<TwinCase>& twins) {
         std::cerr << "--> PFEM Warning: " << warning << "\n";
 }
 
-/// The picture; without gnuplot the script is there for later.
-void draw(const std::filesystem::path& folder, const std::string& name) {
-    const auto log = folder / "log.gnuplot";
-    try {
-        std::filesystem::remove(log);
-        if (runProgram({"gnuplot", name + ".gp"}, folder, log) != 0)
-            std::cerr << "--> PFEM Warning: gnuplot could not draw " << name << ".gp: see \"" << log.string() << "\"\n";
-    } catch (const UserError& error) {
-        std::cerr << "--> PFEM Warning: no picture: " << error.what() << "; draw it with  gnuplot " << name << ".gp\n";
-    }
-}
-
 /// Table, report, script and picture of one quantity.
 void write(const std::filesystem::path& folder, const Quantity& quantity) {
     writeQuantity(folder, quantity, 8);
@@ -91,7 +79,7 @@ void write(const std::filesystem::path& folder, const Quantity& quantity) {
     writeAtomically(folder / (quantity.name + ".txt"), report);
     writeAtomically(folder / (quantity.name + ".gp"), plotScript(quantity));
     std::cout << "\n" << report << std::flush;
-    draw(folder, quantity.name);
+    drawPicture(folder, quantity.name);
 }
 
 /// The quantities of one table of a function in all twins.

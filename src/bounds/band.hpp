@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "bounds/curve.hpp"
+#include "study/curve.hpp"
 
 namespace pfem {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bounds/estimate.hpp"
-#include "bounds/history.hpp"
+#include "study/history.hpp"
 
 namespace pfem {
 

@@ -27,20 +27,12 @@ std::vector<double> sizesIn(const std::filesystem::path& folder);
 /// meshSize at the top of system/meshDict [m].
 double meshSizeOf(const Case& theCase);
 
-/// Write constant/ and system/ of the twin: those of the case, macros and includes resolved, with
+/// Write constant/ and system/ of the twin (study/caseCopy.hpp): those of the case with
 ///     pfemSolution    integration <nodal|elemental>;
 ///     controlDict     startFrom latestTime;  and endTime where it is given.
 /// A twin that has results must have been made from the same dictionaries (controlDict may change): else
 /// UserError which names the file; with `overwrite` its folder is removed first.
 void prepareTwin(const Case& theCase, const TwinCase& twin, std::optional<double> endTime, bool overwrite);
-
-/// The latest complete time of a case and the end of its run [s].
-struct Reached {
-    std::optional<double> latest;
-    double endTime = 0;
-    bool finished() const;
-};
-Reached reachedTime(const std::filesystem::path& root);
 
 /// Number of triangles at the first time.
 int countCells(const std::filesystem::path& root);

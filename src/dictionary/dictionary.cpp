@@ -8,12 +8,14 @@
 
 namespace pfem {
 
-Dictionary Dictionary::read(const std::filesystem::path& file) {
+Dictionary readWith(const Overlay& changed, const std::filesystem::path& file) {
     auto node = makeNode(nullptr, file.string(), {file.string(), 1});
-    Parser parser;
+    Parser parser(changed);
     parser.readFile(file, node);
     return Dictionary(node);
 }
+
+Dictionary Dictionary::read(const std::filesystem::path& file) { return readWith({}, file); }
 
 Dictionary Dictionary::parse(const std::string& text, const std::string& name) {
     auto node = makeNode(nullptr, name, {name, 1});

@@ -101,6 +101,12 @@ fs::path Parser::includedFile(Lexer& lexer, const NodePtr& scope, const Token& t
     return file;
 }
 
+/// The text of a file, or what stands for it.
+std::string Parser::textOf(const fs::path& file, const Location& where) const {
+    const auto changed = changed_.empty() ? changed_.end() : changed_.find(fs::weakly_canonical(file));
+    return changed == changed_.end() ? fileText(file, where) : changed->second;
+}
+
 /// The text of a file, noted as open: cycles end here. The caller closes it with open_.pop_back().
 Lexer Parser::openFile(const fs::path& file, const Token& token) {
     std::error_code error;
@@ -110,7 +116,7 @@ Lexer Parser::openFile(const fs::path& file, const Token& token) {
     }
     if (open_.size() > 50) throw UserError("Files include each other too deeply", token.where());
     open_.push_back(same);
-    return Lexer(fileText(file, token.where()), std::make_shared<const std::string>(file.string()));
+    return Lexer(textOf(file, token.where()), std::make_shared<const std::string>(file.string()));
 }
 
 void Parser::includeFile(const fs::path& file, const NodePtr& node, const Token& token) {

@@ -9,7 +9,7 @@
 namespace pfem {
 
 void Parser::readFile(const std::filesystem::path& file, const NodePtr& into) {
-    Lexer lexer(fileText(file, {}), std::make_shared<const std::string>(file.string()));
+    Lexer lexer(textOf(file, {}), std::make_shared<const std::string>(file.string()));
     open_.push_back(std::filesystem::weakly_canonical(file));
     entries(lexer, into, {});
     open_.pop_back();

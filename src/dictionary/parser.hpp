@@ -5,11 +5,14 @@
 
 #include "dictionary/lexer.hpp"
 #include "dictionary/node.hpp"
+#include "dictionary/overlay.hpp"
 
 namespace pfem {
 
 class Parser {
 public:
+    explicit Parser(Overlay changed = {}) : changed_(std::move(changed)) {}
+
     void readFile(const std::filesystem::path& file, const NodePtr& into);
     void readText(const std::string& text, const std::string& name, const NodePtr& into);
 
@@ -34,6 +37,7 @@ private:
     void valueDirective(Lexer& lexer, const NodePtr& scope, const Token& token, const Token& key, Tokens& out);
     void evaluate(Lexer& lexer, const NodePtr& scope, const Token& token, Tokens& out);
     std::filesystem::path includedFile(Lexer& lexer, const NodePtr& scope, const Token& token);
+    std::string textOf(const std::filesystem::path& file, const Location& where) const;
     Lexer openFile(const std::filesystem::path& file, const Token& token);
     void includeFile(const std::filesystem::path& file, const NodePtr& node, const Token& token);
     void include(Lexer& lexer, const NodePtr& node, const Token& token);
@@ -47,6 +51,7 @@ private:
     bool skipBranch(Lexer& lexer, const Token& token, bool elseCounts);
 
     InputMode mode_ = InputMode::merge;
+    Overlay changed_;                          ///< what counts instead of files
     std::vector<std::filesystem::path> open_;  ///< the including files
     long budget_ = 1'000'000;                  ///< tokens that macros may still produce
 };

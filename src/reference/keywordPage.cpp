@@ -24,8 +24,8 @@ std::string row(const EntryDescription& entry) {
 
 std::vector<KeywordTable> keywordTables() {
     std::vector<KeywordTable> all;
-    for (auto part :
-         {systemKeywords, functionKeywords, meshKeywords, spaceMeshKeywords, constantKeywords, conditionKeywords})
+    for (auto part : {systemKeywords, functionKeywords, meshKeywords, spaceMeshKeywords, sweepKeywords,
+                      constantKeywords, conditionKeywords})
         for (auto& table : part()) all.push_back(std::move(table));
     return all;
 }

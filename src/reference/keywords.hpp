@@ -28,6 +28,7 @@ std::vector<KeywordTable> systemKeywords();     // controlDict, pfemSolution
 std::vector<KeywordTable> functionKeywords();   // controlDict.functions, one table per type
 std::vector<KeywordTable> meshKeywords();       // meshDict
 std::vector<KeywordTable> spaceMeshKeywords();  // meshDict in three dimensions
+std::vector<KeywordTable> sweepKeywords();      // sweepDict
 std::vector<KeywordTable> constantKeywords();   // materials, g
 std::vector<KeywordTable> conditionKeywords();  // boundaryConditions, by the types of patches
 

@@ -2,7 +2,7 @@
 
 #include "bounds/plotScript.hpp"
 #include "bounds/quantity.hpp"
-#include "folder.hpp"
+#include "support/folder.hpp"
 
 namespace pfem {
 namespace {

@@ -1,7 +1,8 @@
 #include "base/error.hpp"
 #include "bounds/twinCase.hpp"
 #include "dictionary/dictionary.hpp"
-#include "folder.hpp"
+#include "study/runCase.hpp"
+#include "support/folder.hpp"
 
 namespace pfem {
 namespace {

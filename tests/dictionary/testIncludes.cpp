@@ -9,6 +9,7 @@
 
 #include "dictionary/dictionary.hpp"
 #include "dictionary/function1.hpp"
+#include "dictionary/overlay.hpp"
 #include "dictionary/print.hpp"
 
 using namespace pfem;
@@ -50,6 +51,13 @@ protected:
 };
 
 }  // namespace
+
+TEST_F(Includes, TextsThatStandForFiles) {
+    const fs::path inner = write("sub/../common", "a 1;"), file = write("main", "#include \"common\"\nb $a;");
+    EXPECT_EQ(oneLine(readWith({{fs::weakly_canonical(inner), "a 2;"}}, file)), "a 2; b 2; ");
+    EXPECT_EQ(oneLine(readWith({{fs::weakly_canonical(file), "c 3;"}}, file)), "c 3; ");
+    EXPECT_EQ(oneLine(Dictionary::read(file)), "a 1; b 1; ");
+}
 
 TEST_F(Includes, relativeToTheIncludingFile) {
     write("sub/a", "FoamFile { class dictionary; }\nx 1;\n#include \"b\"\n");

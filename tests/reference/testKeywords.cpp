@@ -15,6 +15,7 @@
 #include "material/material.hpp"
 #include "mesher/readMeshDict.hpp"
 #include "mesher/space/readSpaceDict.hpp"
+#include "study/sweep.hpp"
 
 using namespace pfem;
 
@@ -121,6 +122,16 @@ TEST(Keywords, MeshDictInSpaceIsComplete) {
     expectDocumented(*file.node(), documented, {"a", "p", "w"});
     expectDocumented(*dict.node(), documented,
                      {"a", "p", "w", "b", "y", "k", "s", "o", "f", "d", "e", "r", "t", "x", "z", "u"});
+}
+
+TEST(Keywords, SweepDictIsComplete) {
+    const auto dict = Dictionary::parse(
+        "method latinHypercube; samples 3; seed 2; mesh pfemMesh; command pfemFsiFoam; processors 1; slurm "
+        "(\"--time=1\"); "
+        "parameters { a { file f; entry e; values (1 2); } b { file f; entry d; range (1 2); scale log; count 3; } } "
+        "results { c { function tip; file D; column D_x; value at; time 1; } }");
+    readSweep(dict);
+    expectDocumented(*dict.node(), names(sweepKeywords()), {"a", "b", "c", "parameters", "results"});
 }
 
 TEST(Keywords, ConstantIsComplete) {

@@ -1,4 +1,4 @@
-#include "bounds/history.hpp"
+#include "study/history.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "bounds/curve.hpp"
+#include "study/curve.hpp"
 
 #include <algorithm>
 #include <cmath>

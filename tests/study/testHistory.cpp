@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "bounds/history.hpp"
-#include "folder.hpp"
+#include "study/history.hpp"
+#include "support/folder.hpp"
 
 namespace pfem {
 namespace {

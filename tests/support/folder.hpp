@@ -13,7 +13,7 @@ class Folder : public testing::Test {
 protected:
     Folder()
         : root(std::filesystem::temp_directory_path() /
-               ("pfemBounds." + std::to_string(getpid()) + "." +
+               ("pfemTest." + std::to_string(getpid()) + "." +
                 testing::UnitTest::GetInstance()->current_test_info()->name())) {
         std::filesystem::create_directories(root);
     }

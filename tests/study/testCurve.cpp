@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "bounds/curve.hpp"
+#include "study/curve.hpp"
 
 namespace pfem {
 namespace {

@@ -1,7 +1,8 @@
-#include "application/runProgram.hpp"
+#include "study/runProgram.hpp"
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -19,11 +20,39 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// In the child: output to the log, then the program; 127 when there is none, as a shell answers.
-[[noreturn]] void become(std::vector<char*>& arguments, const fs::path& place, int log) {
-    if (chdir(place.c_str()) == 0 && dup2(log, STDOUT_FILENO) >= 0 && dup2(log, STDERR_FILENO) >= 0)
+/// In the child: a group of its own, output to the log, then the program; 127 when there is none, as a shell answers.
+[[noreturn]] void become(std::vector<char*>& arguments, const fs::path& place, int log, pid_t parent) {
+    setpgid(0, 0);
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
+    if (getppid() != parent) _exit(128 + SIGTERM);  // it has died in between
+    const int nothing = open("/dev/null", O_RDONLY);
+    if (chdir(place.c_str()) == 0 && dup2(nothing, STDIN_FILENO) >= 0 && dup2(log, STDOUT_FILENO) >= 0 &&
+        dup2(log, STDERR_FILENO) >= 0)
         execvp(arguments[0], arguments.data());
     _exit(127);
+}
+
+/// Wait for the last process of the group; returns the status of its leader.
+int waitForGroup(pid_t leader, const std::string& name, const std::function<void()>& tick) {
+    int status = 0;
+    bool handedOn = false, leaderEnded = false;
+    for (int n = 1;; ++n) {
+        int code = 0;
+        const pid_t ended = waitpid(-leader, &code, WNOHANG);
+        if (ended == leader) {
+            status = code;
+            leaderEnded = true;
+        }
+        if (ended > 0) continue;
+        if (ended < 0 && errno == ECHILD && leaderEnded) return status;
+        if (ended < 0 && errno != EINTR) throw UserError("lost sight of " + name + ": " + std::strerror(errno));
+        if (interrupted() && !handedOn) {
+            kill(-leader, SIGTERM);
+            handedOn = true;
+        }
+        if (n % 20 == 0 && tick) tick();
+        usleep(50000);
+    }
 }
 
 }  // namespace
@@ -43,25 +72,14 @@ int runProgram(const std::vector<std::string>& command, const fs::path& place, c
     arguments.push_back(nullptr);
     const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
     if (file < 0) throw UserError("cannot write \"" + log.string() + "\": " + std::strerror(errno), {log.string(), 0});
-    const pid_t child = fork();
-    if (child == 0) become(arguments, place, file);
+    prctl(PR_SET_CHILD_SUBREAPER, 1);  // what a shell leaves behind when it is stopped comes to us
+    const pid_t parent = getpid(), child = fork();
+    if (child == 0) become(arguments, place, file, parent);
     const int failure = errno;
     close(file);
     if (child < 0) throw UserError("cannot start " + command[0] + ": " + std::strerror(failure));
-
-    int status = 0;
-    bool handedOn = false;
-    for (int n = 1;; ++n) {
-        const pid_t ended = waitpid(child, &status, WNOHANG);
-        if (ended == child) break;
-        if (ended < 0 && errno != EINTR) throw UserError("lost sight of " + command[0] + ": " + std::strerror(errno));
-        if (interrupted() && !handedOn) {
-            kill(child, SIGTERM);
-            handedOn = true;
-        }
-        if (n % 20 == 0 && tick) tick();
-        usleep(50000);
-    }
+    setpgid(child, child);  // whoever comes first
+    const int status = waitForGroup(child, command[0], tick);
     if (WIFSIGNALED(status)) return 128 + WTERMSIG(status);
     if (WEXITSTATUS(status) == 127) throw UserError("cannot find the program " + command[0]);
     return WEXITSTATUS(status);
