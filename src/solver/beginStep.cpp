@@ -49,7 +49,7 @@ StepStart<Dim> beginStep(const Problem<Dim>& problem, double dt, State<Dim>& sta
     start.topology = makeTopology<Dim>(state.mesh, conditions.kind, state.nodes.x, state.nodes.wall);
     start.constraints = constraintsOver<Dim>(0, 0, problem, state, start.topology);
     obeyConstraints<Dim>(start.topology, start.constraints, state.nodes);
-    if (conditions.anyMotion())  // else they are the same at all times
+    if (conditions.anyMotion() || conditions.anyInlet() || !start.constraints.bodies.empty())  // else ever the same
         start.constraints = constraintsOver<Dim>(0, dt, problem, state, start.topology);
     return start;
 }
