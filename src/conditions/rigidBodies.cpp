@@ -7,6 +7,7 @@
 #include <map>
 
 #include "material/rigid.hpp"
+#include "mesh/components.hpp"
 #include "mesh/simplex.hpp"
 
 namespace pfem {
@@ -19,22 +20,19 @@ const Rigid* rigidOf(const Material& m) {
 
 /// Rigid cells that hang together by nodes, each group by the cells' indices; in the order of their first cells.
 template <int Dim>
-std::vector<std::vector<int>> groupsOfCells(const Problem<Dim>& problem, const Cells<Dim>& cells) {
-    std::map<int, int> parent;
-    const auto root = [&](int i) {
-        while (parent.emplace(i, i).first->second != i) i = parent[i];
-        return i;
-    };
+std::vector<std::vector<int>> groupsOfCells(const Problem<Dim>& problem, const Cells<Dim>& cells, int nNodes) {
     std::vector<int> rigid;
+    std::vector<Simplex<Dim>> nodes;
     for (int e = 0; e < cells.size(); ++e) {
         if (!rigidOf(problem.materials[cells.material[e]])) continue;
         rigid.push_back(e);
-        for (const int node : cells.nodes[e]) parent[root(node)] = root(cells.nodes[e][0]);
+        nodes.push_back(cells.nodes[e]);
     }
+    const auto root = components(nodes, nNodes);
     std::map<int, std::size_t> groupOf;
     std::vector<std::vector<int>> groups;
     for (const int e : rigid) {
-        const auto [group, isNew] = groupOf.emplace(root(cells.nodes[e][0]), groups.size());
+        const auto [group, isNew] = groupOf.emplace(root[cells.nodes[e][0]], groups.size());
         if (isNew) groups.emplace_back();
         groups[group->second].push_back(e);
     }
@@ -212,7 +210,7 @@ template <int Dim>
 void addRigidBodies(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const Nodes<Dim>& nodes,
                     NodeConstraints<Dim>& constraints) {
     if (!hasRigidBodies<Dim>(problem)) return;
-    for (const auto& group : groupsOfCells<Dim>(problem, mesh.solid)) {
+    for (const auto& group : groupsOfCells<Dim>(problem, mesh.solid, nodes.size())) {
         RigidBody<Dim> body;
         body.material = mesh.solid.material[group[0]];
         const Material& material = problem.materials[body.material];

@@ -72,9 +72,12 @@ struct Multigrid::Petsc {
     ::Mat A = nullptr, shell = nullptr;
     KSP ksp = nullptr;
 
-    ~Petsc() { clear(); }
+    ~Petsc() {
+        clear();
+        KSPDestroy(&ksp);
+    }
     void clear() {
-        KSPReset(ksp);
+        if (ksp) KSPReset(ksp);
         MatDestroy(&A);
         MatDestroy(&shell);
     }
@@ -94,10 +97,7 @@ Multigrid::Multigrid(double tolerance) : petsc_(std::make_unique<Petsc>()) {
     check(KSPSetFromOptions(ksp), "a solver's options");
 }
 
-Multigrid::~Multigrid() {
-    petsc_->clear();
-    KSPDestroy(&petsc_->ksp);
-}
+Multigrid::~Multigrid() = default;
 
 void Multigrid::setUp(SparseRows A, Operator apply) {
     Petsc& p = *petsc_;

@@ -6,14 +6,14 @@ MultigridSolver::MultigridSolver(SaddleSizes sizes, std::unique_ptr<SymmetricSol
     : sizes_(sizes), elastic_(std::move(elastic)), multigrid_(tolerance) {}
 
 void MultigridSolver::analyse(const SymmetricMatrix& A) {
-    if (sizes_.nElastic > 0) elastic_->analyse(split(A, sizes_).elastic);
+    if (sizes_.nElastic > 0) elastic_->analyse(elasticBlock(A, sizes_));
 }
 
 void MultigridSolver::factor(const SymmetricMatrix& A) {
     saddle_ = split(A, sizes_);
     Multigrid::Operator apply;
     if (sizes_.nElastic > 0) {
-        elastic_->factor(saddle_.elastic);
+        elastic_->factor(elasticBlock(A, sizes_));
         apply = [this](const Eigen::VectorXd& p) -> Eigen::VectorXd {
             return multiply(saddle_.K, p) + multiply(saddle_.B, inverseM(multiply(saddle_.Bt, p)));
         };

@@ -25,22 +25,6 @@ SparseRows byRows(int n, const ForEntries& forEntries) {
     return rows;
 }
 
-/// -M of the elastic velocities.
-SymmetricMatrix elasticBlock(const SymmetricMatrix& A, const SaddleSizes& sizes) {
-    const int first = sizes.nPressures;
-    SymmetricMatrix M;
-    M.n = sizes.nElastic;
-    M.start.assign(1, 0);
-    for (int j = first; j < first + M.n; ++j) {
-        for (int s = A.start[j]; s < A.start[j + 1]; ++s) {
-            M.row.push_back(A.row[s] - first);
-            M.value.push_back(-A.value[s]);
-        }
-        M.start.push_back(static_cast<int>(M.row.size()));
-    }
-    return M;
-}
-
 /// One row while it is put together.
 class Row {
 public:
@@ -103,9 +87,23 @@ Saddle split(const SymmetricMatrix& A, const SaddleSizes& sizes) {
             if (i >= nP) visit(i - nP, j, value);
         });
     });
-    saddle.elastic = elasticBlock(A, sizes);
     for (int q = nP; q < A.n; ++q) saddle.inverse.push_back(-1 / A.value[A.start[q]]);
     return saddle;
+}
+
+SymmetricMatrix elasticBlock(const SymmetricMatrix& A, const SaddleSizes& sizes) {
+    const int first = sizes.nPressures;
+    SymmetricMatrix M;
+    M.n = sizes.nElastic;
+    M.start.assign(1, 0);
+    for (int j = first; j < first + M.n; ++j) {
+        for (int s = A.start[j]; s < A.start[j + 1]; ++s) {
+            M.row.push_back(A.row[s] - first);
+            M.value.push_back(-A.value[s]);
+        }
+        M.start.push_back(static_cast<int>(M.row.size()));
+    }
+    return M;
 }
 
 SparseRows eliminateDiagonal(const Saddle& saddle) {

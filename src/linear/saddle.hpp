@@ -27,11 +27,13 @@ struct SaddleSizes {
 /// The blocks of [K B; B^T -M].
 struct Saddle {
     SparseRows K, B, Bt;          // B: pressures x velocities, elastic ones first
-    SymmetricMatrix elastic;      // M of the elastic ones
     std::vector<double> inverse;  // of M's diagonal, per velocity
 };
 
 Saddle split(const SymmetricMatrix& A, const SaddleSizes& sizes);
+
+/// M of the elastic velocities.
+SymmetricMatrix elasticBlock(const SymmetricMatrix& A, const SaddleSizes& sizes);
 
 /// K + B diag(M)^{-1} B^T, columns ascending: what is left of a matrix without elastic velocities, an estimate with
 /// them.

@@ -55,7 +55,7 @@ std::unique_ptr<SymmetricSolver> multigridSolver(const SymmetricMatrix& A, const
     std::unique_ptr<SymmetricSolver> elastic;
     if (sizes.nElastic > 0) {
         const auto first = place.begin() + sizes.nPressures;
-        elastic = elasticSolver<Dim>(split(A, sizes).elastic, Places<Dim>(first, first + sizes.nElastic));
+        elastic = elasticSolver<Dim>(elasticBlock(A, sizes), Places<Dim>(first, first + sizes.nElastic));
     }
     return std::make_unique<MultigridSolver>(sizes, std::move(elastic), tolerance);
 }

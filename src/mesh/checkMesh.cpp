@@ -6,6 +6,7 @@
 #include <set>
 
 #include "mesh/bins.hpp"
+#include "mesh/components.hpp"
 #include "mesh/distance.hpp"
 #include "mesh/simplex.hpp"
 
@@ -119,17 +120,14 @@ void findGaps(const Mesh<Dim>& mesh, const Topology<Dim>& topology, const Points
 
 /// Pieces of free surface that share nodes.
 template <int Dim>
-int countPieces(const std::vector<FluidFace<Dim>>& faces) {
-    std::map<int, int> parent;
-    const auto root = [&](int i) {
-        while (parent.emplace(i, i).first->second != i) i = parent[i];
-        return i;
-    };
+int countPieces(const std::vector<FluidFace<Dim>>& faces, int nNodes) {
+    std::vector<Face<Dim>> surface;
     for (const auto& face : faces)
-        if (face.kind == FaceKind::freeSurface)
-            for (int k = 1; k < Dim; ++k) parent[root(face.nodes[k])] = root(face.nodes[0]);
-    return static_cast<int>(
-        std::count_if(parent.begin(), parent.end(), [](const auto& p) { return p.first == p.second; }));
+        if (face.kind == FaceKind::freeSurface) surface.push_back(face.nodes);
+    const auto root = components(surface, nNodes);
+    std::set<int> pieces;
+    for (const auto& face : surface) pieces.insert(root[face[0]]);
+    return static_cast<int>(pieces.size());
 }
 
 }  // namespace
@@ -150,7 +148,7 @@ MeshCheck<Dim> checkMesh(const Mesh<Dim>& mesh, const Topology<Dim>& topology, c
          : face.kind == FaceKind::wall      ? check.wetWalls
                                             : check.interface) += measure;
     }
-    check.pieces = countPieces<Dim>(topology.faces);
+    check.pieces = countPieces<Dim>(topology.faces, topology.nNodes());
     return check;
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.hpp"
-#include "conditions/freedom.hpp"
+#include "conditions/wallFreedom.hpp"
 #include "mesh/simplex.hpp"
 
 namespace pfem {
@@ -29,10 +29,7 @@ Vec<Dim> outwardArea(const Topology<Dim>& topology, const std::vector<Simplex<Di
     for (int s = topology.fluid.start[i]; s < topology.fluid.start[i + 1]; ++s)
         area -=
             faceArea<Dim>(nodes.x, oppositeFace<Dim>(cells[topology.fluid.cell[s]], topology.fluid.corner[s])) / Dim;
-    Freedom<Dim> free;
-    for (const int wall : nodes.wall[i])
-        if (wall >= 0) free = free.without(inwardNormal<Dim>(nodes.x, topology.walls[wall].nodes));
-    return free.project(area);
+    return freedomOn<Dim>(topology.walls, nodes.x, nodes.wall[i]).project(area);
 }
 
 /// What each node is to bring: what it lacks, half of it shared with its neighbours along the surface. A zig-zag of the

@@ -5,10 +5,12 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/parallel.hpp"
 #include "mesh/onFace.hpp"
 #include "mesh/simplex.hpp"
+#include "mesh/wallBins.hpp"
 #include "solver/failedStep.hpp"
 #include "state/volume.hpp"
 
@@ -105,24 +107,29 @@ void checkSolidsAtWalls(const Topology<Dim>& topology, const State<Dim>& next) {
     const auto depth = [&](const Face<Dim>& face, const Points<Dim>& x, int i) {
         return faceArea<Dim>(x, face).normalized().dot(x[i] - x[face[0]]);
     };
-    std::vector<std::pair<Face<Dim>, int>> walls;  // as they are counted now, and their patches
+    std::vector<WallFace<Dim>> walls = topology.walls;  // with the nodes as they are counted now
     std::size_t w = 0;
-    for (std::size_t k = 0; k < next.mesh.patches.size(); ++k)
-        for (const auto& face : next.mesh.patches[k].faces)
-            if (topology.walls[w++].patch >= 0) walls.emplace_back(face, static_cast<int>(k));
+    for (const auto& patch : next.mesh.patches)
+        for (const auto& face : patch.faces) walls[w++].nodes = face;
+    const WallBins<Dim> places(walls, nodes.x);
+    std::vector<unsigned char> seen(nodes.x.size(), 0);
     for (int e = 0; e < next.mesh.solid.size(); ++e)
-        for (const int i : next.mesh.solid.nodes[e])
-            for (const auto& [face, patch] : walls) {
-                const double d = depth(face, nodes.x, i), h = nodes.h[i];
+        for (const int i : next.mesh.solid.nodes[e]) {
+            if (std::exchange(seen[i], 1)) continue;
+            const double h = nodes.h[i];
+            places.forEachNear(nodes.x[i], nodes.x[i], 2 * h, [&](int wall) {
+                const auto& [face, patch] = std::pair(walls[wall].nodes, walls[wall].patch);
+                const double d = depth(face, nodes.x, i);
                 if (!(d > 0.5 * h && d < 2 * h) || depth(face, nodes.X, i) > 0.1 * h ||
                     footWeights<Dim>(nodes.x, face, nodes.x[i]).minCoeff() < 0)
-                    continue;
+                    return;
                 fail<Dim>(
                     nodes, i,
                     fmt::format("of the solid '{}' went through the wall '{}': a file constant/contact makes solids "
                                 "meet walls",
                                 next.mesh.materials[next.mesh.solid.material[e]], next.mesh.patches[patch].name));
-            }
+            });
+        }
 }
 
 /// Nodes that went through a solid. Only one that moves farther than half of the solid's mesh size can do so unseen:

@@ -21,13 +21,13 @@ Arrivals<Dim>::Arrivals(double distance, const Topology<Dim>& topology, const Po
 }
 
 template <int Dim>
-Arrival Arrivals<Dim>::first(int i) const {
+Arrival Arrivals<Dim>::first(int i, const std::function<bool(int wall)>& wanted) const {
     const Vec<Dim>&x = nodes_.x[i], &old = xOld_[i];
     Arrival first;
     // the foot of a place behind a face is no farther away than the way to it was long
     const double radius = distance_ * nodes_.h[i] + (x - old).norm() + travel_;
     bins_.forEachNear(x.cwiseMin(old), x.cwiseMax(old), radius, [&](int wall) {
-        if (topology_.isOpening(wall)) return;  // walls/openings.hpp
+        if (!wanted(wall)) return;
         const Arrival arrival = at(i, wall);
         if (arrival.part > first.part || (arrival.part == first.part && wall >= first.wall)) return;
         if (!isHeldBy<Dim>(topology_, nodes_.wall[i], wall)) first = arrival;

@@ -1,6 +1,7 @@
 #pragma once
 // Where nodes come to walls on their ways.
 
+#include <functional>
 #include <limits>
 
 #include "mesh/topology.hpp"
@@ -23,9 +24,9 @@ public:
     /// On ways from xOld to nodes.x; what a node comes nearer to than `distance` h counts. All must outlive it.
     Arrivals(double distance, const Topology<Dim>& topology, const Points<Dim>& xOld, const Nodes<Dim>& nodes);
 
-    /// What node i comes to first, of the walls that do not hold it: it has crossed the face or is near it. What is
-    /// part of the fluid arrives at the end of its way; a drop, whose way may be many h long, where it has crossed.
-    Arrival first(int i) const;
+    /// What node i comes to first, of the wanted walls that do not hold it: it has crossed the face or is near it. What
+    /// is part of the fluid arrives at the end of its way; a drop, whose way may be many h long, where it has crossed.
+    Arrival first(int i, const std::function<bool(int wall)>& wanted) const;
 
 private:
     Arrival at(int i, int wall) const;

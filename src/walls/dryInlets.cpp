@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "conditions/inflow.hpp"
-#include "mesh/distance.hpp"
 #include "mesh/simplex.hpp"
+#include "mesh/wallBins.hpp"
 
 namespace pfem {
 
@@ -16,14 +16,13 @@ constexpr double filmHeight = 0.5;  // of h, mean of the first triangles
 class DryInlet {
 public:
     DryInlet(const PassageStep<2>& step, int patch, State<2>& state)
-        : step_(step), patch_(patch), state_(state), nodes_(state.nodes) {
-        const auto& walls = step.topology.walls;
-        for (int w = 0; w < static_cast<int>(walls.size()); ++w)
-            if (walls[w].patch == patch) faces_.push_back(w);
+        : step_(step), patch_(patch), state_(state), nodes_(state.nodes), places_(step.topology.walls, state.nodes.x) {
         for (const auto& face : state.mesh.patches[patch].faces) corners_.push_back(face);
         for (const auto& face : corners_) length_ += (nodes_.x[face[1]] - nodes_.x[face[0]]).norm();
         h_ = nodes_.h[corners_[0][0]];
     }
+
+    double length() const { return length_; }
 
     void bring(double volume) {
         if (row().empty()) layRow();
@@ -66,30 +65,14 @@ private:
         return i;
     }
 
-    /// All walls that the node touches.
-    void support(int i) {
-        std::size_t w = 0;
-        for (const auto& patch : state_.mesh.patches)
-            for (const auto& face : patch.faces) {
-                const auto& wall = step_.topology.walls[w];
-                const int index = static_cast<int>(w++);
-                if (wall.patch < 0 || distanceToFace<2>(nodes_.x, face, nodes_.x[i]) > 1e-6 * h_) continue;
-                const auto& own = nodes_.wall[i];
-                const bool known = std::any_of(own.begin(), own.end(), [&](int other) {
-                    return other >= 0 && step_.topology.walls[other].region == wall.region;
-                });
-                if (!known) addSupport(nodes_.wall[i], index);
-            }
-    }
+    void support(int i) { nodes_.wall[i] = places_.supportsAt(nodes_.x[i], 1e-6 * h_); }
 
     void layRow() {
         for (std::size_t f = 0; f < corners_.size(); ++f) {
             const Vec<2> a = nodes_.x[corners_[f][0]], b = nodes_.x[corners_[f][1]];
             const int n = std::max(1, static_cast<int>(std::lround((b - a).norm() / h_)));
             for (int k = f == 0 ? 0 : 1; k <= n; ++k) {
-                const int i = addNode(a + (b - a) * (double(k) / n), Vec<2>::Zero());
-                nodes_.wall[i] = {faces_[f], -1};
-                support(i);
+                support(addNode(a + (b - a) * (double(k) / n), Vec<2>::Zero()));
             }
         }
     }
@@ -136,8 +119,8 @@ private:
     int patch_;
     State<2>& state_;
     Nodes<2>& nodes_;
-    std::vector<int> faces_;        // of the patch, as counted by Nodes::wall
-    std::vector<Face<2>> corners_;  // their nodes
+    WallBins<2> places_;
+    std::vector<Face<2>> corners_;  // nodes of the patch's faces
     double length_ = 0, h_ = 0;
 };
 
@@ -156,11 +139,9 @@ void fillDryInlets<2>(const PassageStep<2>& step, State<2>& state) {
     for (int k = 0; k < static_cast<int>(step.conditions.inlet.size()); ++k) {
         if (!step.conditions.inlet[k] || !isDry(step, k, state)) continue;
         const Inlet& inlet = *step.conditions.inlet[k];
-        double length = 0;
-        for (const auto& face : state.mesh.patches[k].faces)
-            length += (state.nodes.x[face[1]] - state.nodes.x[face[0]]).norm();
-        const double volume = inlet.during(step.t0, step.t1) * (inlet.ofVolume ? 1 : length);
-        if (volume > 0) DryInlet(step, k, state).bring(volume);
+        DryInlet dry(step, k, state);
+        const double volume = inlet.during(step.t0, step.t1) * (inlet.ofVolume ? 1 : dry.length());
+        if (volume > 0) dry.bring(volume);
     }
 }
 

@@ -1,4 +1,5 @@
 #include "conditions/inflow.hpp"
+#include "walls/arrival.hpp"
 #include "walls/openings.hpp"
 #include "walls/passage.hpp"
 
@@ -12,9 +13,10 @@ std::vector<int> landOnInlets(const PassageStep<Dim>& step, double landingDistan
     const auto& topology = step.topology;
     std::vector<int> landed;
     const auto isInlet = [&](int w) { return step.conditions.inlet[topology.walls[w].patch] != nullptr; };
+    const Arrivals<Dim> arrivals(landingDistance, topology, step.xOld, nodes);
     for (int i = 0; i < topology.nNodes(); ++i) {
         if (!topology.ofFluid(i) || topology.onOpening(i) || nSupports(nodes.wall[i]) == Dim) continue;
-        const int wall = arrivesAt<Dim>(topology, {step.xOld, nodes.x}, i, landingDistance * nodes.h[i], isInlet);
+        const int wall = arrivals.first(i, isInlet).wall;
         if (wall < 0) continue;
         x[i] = placeOnRegion<Dim>(topology.walls, nodes.x, wall, nodes.x[i]).x;
         addSupport(nodes.wall[i], wall);

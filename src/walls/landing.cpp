@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/parallel.hpp"
-#include "conditions/freedom.hpp"
+#include "conditions/wallFreedom.hpp"
 #include "mesh/onFace.hpp"
 #include "state/calm.hpp"
 #include "walls/arrival.hpp"
@@ -39,17 +39,18 @@ public:
 
     /// Those who arrive.
     void land(const Arrivals<Dim>& arrivals, const Points<Dim>& xOld) {
+        const auto isNoOpening = [this](int wall) { return !topology_.isOpening(wall); };
         std::vector<Arrival> first(nodes_.size());
         parallelFor(nodes_.size(), [&](int i) {
             if (topology_.ofFluid(i) && nSupports(nodes_.wall[i]) < Dim && !isAtOpening(i))
-                first[i] = arrivals.first(i);
+                first[i] = arrivals.first(i, isNoOpening);
         });
         for (int i = 0; i < nodes_.size(); ++i) {
             Arrival arrival = first[i];
             for (int turn = 0; turn < Dim && arrival.any(); ++turn) {  // into an edge, or a corner
                 if (arrival.part < 1) nodes_.x[i] = xOld[i] + arrival.part * (nodes_.x[i] - xOld[i]);
                 addWall(i, arrival.wall);
-                arrival = arrivals.first(i);
+                arrival = arrivals.first(i, isNoOpening);
             }
         }
     }
@@ -222,10 +223,7 @@ private:
         const auto place = placeOn(wall, nodes_.x[i]);
         const double distance = place.normal.dot(nodes_.x[i] - place.x);
         if (distance > roundOff * nodes_.h[i]) return;
-        Freedom<Dim> free;
-        for (const int own : nodes_.wall[i])
-            if (own >= 0) free = free.without(inwardNormal<Dim>(nodes_.x, topology_.walls[own].nodes));
-        const Vec<Dim> along = free.project(place.normal);
+        const Vec<Dim> along = freedomOn<Dim>(topology_.walls, nodes_.x, nodes_.wall[i]).project(place.normal);
         if (along.norm() > 1e-3) nodes_.x[i] += along * ((apart * nodes_.h[i] - distance) / along.dot(place.normal));
     }
 

@@ -1,7 +1,8 @@
 #include <algorithm>
 #include <set>
 
-#include "conditions/freedom.hpp"
+#include "conditions/wallFreedom.hpp"
+#include "walls/arrival.hpp"
 #include "walls/openings.hpp"
 #include "walls/passage.hpp"
 
@@ -18,6 +19,7 @@ public:
           xOld_(step.xOld),
           state_(state),
           nodes_(state.nodes),
+          arrivals_(0, step.topology, step.xOld, state.nodes),
           x_(state.nodes.x),
           v_(state.nodes.v) {}
 
@@ -78,11 +80,10 @@ private:
     /// Where node i comes to the plane of the outlet when it moves across it, along the walls that hold it.
     Vec<Dim> onPlane(int i, int wall) const {
         const Vec<Dim> n = inwardNormal<Dim>(nodes_.x, topology_.walls[wall].nodes);
-        Freedom<Dim> free;
-        for (const int other : nodes_.wall[i])
-            if (other >= 0 && !isOutlet(other))
-                free = free.without(inwardNormal<Dim>(nodes_.x, topology_.walls[other].nodes));
-        const Vec<Dim> along = free.project(n);
+        Supports<Dim> others = nodes_.wall[i];
+        for (const int own : nodes_.wall[i])
+            if (own >= 0 && isOutlet(own)) dropSupport(others, own);
+        const Vec<Dim> along = freedomOn<Dim>(topology_.walls, nodes_.x, others).project(n);
         const double part = along.dot(n);
         if (!(part > 1e-6)) return xOld_[i];
         return nodes_.x[i] - along * (before(wall, nodes_.x, nodes_.x[i]) / part);
@@ -139,7 +140,7 @@ private:
     }
 
     int reached(int i) const {
-        return arrivesAt<Dim>(topology_, {xOld_, nodes_.x}, i, 0, [&](int w) { return isOutlet(w); });
+        return arrivals_.first(i, [this](int wall) { return isOutlet(wall); }).wall;
     }
 
     void arrive(int i) {
@@ -167,6 +168,7 @@ private:
     const Points<Dim>& xOld_;
     State<Dim>& state_;
     Nodes<Dim>& nodes_;
+    Arrivals<Dim> arrivals_;
     Points<Dim> x_, v_;
     std::set<Supports<Dim>> corners_;  // where there is a node
     std::vector<int> leaving_;

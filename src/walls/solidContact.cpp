@@ -5,6 +5,7 @@
 #include <map>
 
 #include "mesh/bins.hpp"
+#include "mesh/components.hpp"
 #include "mesh/onFace.hpp"
 #include "mesh/simplex.hpp"
 
@@ -30,17 +31,10 @@ struct Obstacle {
 /// Bodies: solid cells that hang together; per node its body, -1 for others.
 template <int Dim>
 std::vector<int> bodiesOfNodes(const Mesh<Dim>& mesh, int nNodes) {
-    std::vector<int> parent(nNodes);
-    for (int i = 0; i < nNodes; ++i) parent[i] = i;
-    const auto root = [&](int i) {
-        while (parent[i] != i) i = parent[i] = parent[parent[i]];
-        return i;
-    };
-    for (const auto& cell : mesh.solid.nodes)
-        for (const int node : cell) parent[root(node)] = root(cell[0]);
+    const auto root = components(mesh.solid.nodes, nNodes);
     std::vector<int> body(nNodes, -1);
     for (const auto& cell : mesh.solid.nodes)
-        for (const int node : cell) body[node] = root(node);
+        for (const int node : cell) body[node] = root[node];
     return body;
 }
 

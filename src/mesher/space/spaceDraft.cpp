@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "conditions/freedom.hpp"
+#include "conditions/wallFreedom.hpp"
 #include "mesh/adjacency.hpp"
 #include "mesh/simplex.hpp"
 #include "mesh/wallFaces.hpp"
@@ -94,12 +94,8 @@ void standOnWalls(const SpaceDescription& description, State<3>& state) {
     if (std::find(isWall.begin(), isWall.end(), true) == isWall.end()) return;
     separateFromWalls<3>(isWall, state);
     const auto faces = wallFaces<3>(state.mesh.patches, isWall, state.nodes.x);
-    for (int i = 0; i < state.nodes.size(); ++i) {
-        Freedom<3> free;
-        for (const int wall : state.nodes.wall[i])
-            if (wall >= 0) free = free.without(inwardNormal<3>(state.nodes.x, faces[wall].nodes));
-        state.nodes.v[i] = free.project(state.nodes.v[i]);
-    }
+    for (int i = 0; i < state.nodes.size(); ++i)
+        state.nodes.v[i] = freedomOn<3>(faces, state.nodes.x, state.nodes.wall[i]).project(state.nodes.v[i]);
 }
 
 }  // namespace
