@@ -100,7 +100,7 @@ TEST_F(MultigridOnCube, agreesWithTheFactor) {
     }
 }
 
-/// From 512 to 32768 pressures the same number of iterations but for two.
+/// From 512 to 32768 pressures the same number of iterations but for four.
 TEST_F(MultigridOnCube, iterationsDoNotGrowWithTheSize) {
     std::vector<int> iterations;
     for (const int m : {8, 16, 32}) {

@@ -193,18 +193,24 @@ TestCase floating(double density, double draft, double h, const std::string& ent
         water + "wood { type " + law + "; rho " + n(density) + "; " + entries + " }", "tank { type slip; }");
 }
 
+/// Steps of dt without one that is rejected; the most iterations that one took.
+int mostIterations(TestCase& c, int steps, double dt) {
+    c.start(dt);
+    int most = 0;
+    for (int n = 0; n < steps; ++n) {
+        const auto report = c.step(dt);
+        EXPECT_EQ(report.rejected, 0) << "step " << n;
+        most = std::max(most, report.step.iterations);
+    }
+    return most;
+}
+
 class Floats : public testing::TestWithParam<double> {};
 
 TEST_P(Floats, inTheDraftOfArchimedes) {
     const double density = GetParam();
     TestCase c = floating(density, density / 1000, 0.025);
-    c.start(2e-3);
-    int most = 0;
-    for (int n = 0; n < 150; ++n) {
-        const auto report = c.step(2e-3);
-        ASSERT_EQ(report.rejected, 0) << report.reasons.front();
-        most = std::max(most, report.step.iterations);
-    }
+    const int most = mostIterations(c, 150, 2e-3);
     const auto body = bodyOf<2>(c);
     const double rise = body.pose.place(body.centre)[1] - (0.25 - 0.1 * density / 1000);
     std::cout << "density " << density << ": rise " << rise << ", speed " << body.twist.norm() << ", iterations "
@@ -217,13 +223,7 @@ INSTANTIATE_TEST_SUITE_P(densities, Floats, testing::Values(100, 300, 500, 700, 
 
 TEST(RigidBody, aFloatOfAHundredthOfTheWatersDensityIsStable) {
     TestCase c = floating(10, 0.3, 0.025);  // it springs up
-    c.start(1e-3);
-    int most = 0;
-    for (int n = 0; n < 100; ++n) {
-        const auto report = c.step(1e-3);
-        ASSERT_EQ(report.rejected, 0) << report.reasons.front();
-        most = std::max(most, report.step.iterations);
-    }
+    const int most = mostIterations(c, 100, 1e-3);
     std::cout << "light float: rise " << bodyOf<2>(c).pose.at[1] - 0.22 << ", iterations " << most << "\n";
     EXPECT_LE(most, 14);
 }
