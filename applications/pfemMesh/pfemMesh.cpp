@@ -132,7 +132,7 @@ int main(int argc, char* argv[]) {
     OptionsSpec spec;
     spec.add("h", "size",
              "target edge length [m] instead of meshSize at the top of meshDict; "
-             "bodies and walls with a meshSize of their own keep it");
+             "sizes of bodies, walls and refinements keep their ratio to it");
     return runApplication(argc, argv,
                           "Mesh the bodies and walls of system/meshDict, or take the mesh of a file, and write time 0.",
                           spec, run);

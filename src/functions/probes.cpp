@@ -3,12 +3,27 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iostream>
 
 #include "base/error.hpp"
 #include "functions/sampling.hpp"
 #include "functions/sensors.hpp"
 
 namespace pfem {
+
+namespace {
+
+/// In a cell or, where a round or slanted side is a chord of its cells, by this part of one outside.
+constexpr double beside = 0.1;
+
+template <int Dim>
+std::optional<WeightedNodes<Dim>> nearestPlace(const State<Dim>& initial, Region region, const Vec<Dim>& point,
+                                               double tolerance) {
+    return region == Region::solid ? locate<Dim>(initial.mesh.solid, initial.nodes.X, point, tolerance)
+                                   : locate<Dim>(initial.mesh.fluid, initial.nodes.x, point, tolerance);
+}
+
+}  // namespace
 
 template <int Dim>
 Probes<Dim>::Probes(const Dictionary& dict, const FunctionContext<Dim>& context) : context_(context) {
@@ -30,6 +45,7 @@ void Probes<Dim>::start(const State<Dim>& state) {
         const State<Dim> initial = initialState(context_.root, state);
         for (const auto& point : points_) anchors_.push_back(attach(initial, point.head<Dim>()));
         for (const auto& anchor : anchors_) found.push_back(anchor.has_value());
+        warnOfNowhere(found);
     } else {
         for (const auto& point : points_)
             found.push_back(locate<Dim>(state.mesh.fluid, state.nodes.x, point.head<Dim>()) ||
@@ -64,18 +80,28 @@ void Probes<Dim>::execute(const State<Dim>& state) {
 
 template <int Dim>
 std::optional<Anchor<Dim>> Probes<Dim>::attach(const State<Dim>& initial, const Vec<Dim>& point) const {
-    Region region = Region::solid;
-    Sample at = locate<Dim>(initial.mesh.solid, initial.nodes.X, point);
-    if (!at) {
-        region = Region::fluid;
-        at = locate<Dim>(initial.mesh.fluid, initial.nodes.x, point);
-    }
-    if (!at) return {};
-    Anchor<Dim> anchor;
-    anchor.weights = at->weights;
-    anchor.region = region;
-    for (std::size_t i = 0; i <= Dim; ++i) anchor.ids[i] = initial.nodes.id[at->nodes[i]];
-    return anchor;
+    for (const double tolerance : {1e-6, beside})
+        for (const Region region : {Region::solid, Region::fluid}) {
+            const Sample at = nearestPlace<Dim>(initial, region, point, tolerance);
+            if (!at) continue;
+            Anchor<Dim> anchor;
+            anchor.weights = at->weights;
+            anchor.region = region;
+            for (std::size_t i = 0; i <= Dim; ++i) anchor.ids[i] = initial.nodes.id[at->nodes[i]];
+            return anchor;
+        }
+    return {};
+}
+
+template <int Dim>
+void Probes<Dim>::warnOfNowhere(const std::vector<bool>& found) const {
+    for (std::size_t i = 0; i < points_.size(); ++i)
+        if (!found[i])
+            std::cerr << fmt::format(
+                "--> PFEM Warning: probe {} of function '{}', ({:g} {:g} {:g}), is in no material at the first time: "
+                "it "
+                "has no values\n",
+                i, context_.name, points_[i][0], points_[i][1], points_[i][2]);
 }
 
 /// Nothing when one of the nodes has been removed.

@@ -24,7 +24,8 @@ struct Anchor {
 /// fixedLocations true (default): the point stays; values are interpolated linearly in the triangle that
 /// holds it (p in the fluid, sigma in the solid, the others in the fluid or else the solid). fixedLocations
 /// false: the point is attached at the first time of the case: to the solid triangle that holds it in the
-/// reference configuration, or else to the fluid triangle that holds it then, and follows those nodes.
+/// reference configuration, or else to the fluid triangle that holds it then, and follows those nodes. What is beside a
+/// triangle by a tenth of it counts as in it: round shapes have sides of chords.
 template <int Dim>
 class Probes : public FunctionObject<Dim> {
 public:
@@ -37,6 +38,7 @@ private:
     using Sample = std::optional<WeightedNodes<Dim>>;
 
     std::optional<Anchor<Dim>> attach(const State<Dim>& initial, const Vec<Dim>& point) const;
+    void warnOfNowhere(const std::vector<bool>& found) const;
     Sample follow(const State<Dim>& state, const Anchor<Dim>& anchor) const;
 
     FunctionContext<Dim> context_;

@@ -5,17 +5,11 @@
 #include <algorithm>
 
 #include "mesher/fillLevel.hpp"
+#include "mesher/sizes.hpp"
 
 namespace pfem {
 
 namespace {
-
-double readSize(const Dictionary& dict) {
-    if (!dict.found("meshSize")) return 0;
-    const auto h = dict.get<double>("meshSize");
-    if (!(h > 0)) dict.fatal("meshSize", fmt::format("meshSize must be positive, not {:g}", h));
-    return h;
-}
 
 /// edges ( arc 1 2 (0.5 0.1)  arc 2 3 (0.6 0.2) );
 std::vector<ArcEdge> readArcs(const Dictionary& dict) {
@@ -139,14 +133,12 @@ Refinement readRefinement(const Dictionary& dict) {
     return refinement;
 }
 
-}  // namespace
-
-MeshDescription readMeshDict(const Dictionary& dict, const std::vector<std::string>& materials, double meshSize) {
+/// Bodies, walls and refinements with the sizes of the dictionary.
+MeshDescription readDescription(const Dictionary& dict, const std::vector<std::string>& materials, double meshSize) {
     MeshDescription mesh;
     const bool fromFile = dict.found("meshFile");
     if (fromFile) readMeshFileEntries(dict, meshSize, mesh);
     if (!fromFile) mesh.meshSize = readSize(dict);
-    if (!fromFile && meshSize > 0) mesh.meshSize = meshSize;
     for (const auto& body : dict.dictList("bodies")) {
         if (fromFile) {
             mesh.bodies.push_back(readFileBody(body, materials));
@@ -174,6 +166,16 @@ MeshDescription readMeshDict(const Dictionary& dict, const std::vector<std::stri
         wall.moving = wallDict.get("moving", false);
         mesh.walls.push_back(wall);
     }
+    return mesh;
+}
+
+}  // namespace
+
+MeshDescription readMeshDict(const Dictionary& dict, const std::vector<std::string>& materials, double meshSize) {
+    MeshDescription mesh = readDescription(dict, materials, meshSize);
+    if (meshSize <= 0) return mesh;
+    if (mesh.meshSize > 0) scaleSizes(meshSize / mesh.meshSize, mesh);
+    mesh.meshSize = meshSize;
     return mesh;
 }
 

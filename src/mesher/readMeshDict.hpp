@@ -7,7 +7,7 @@
 namespace pfem {
 
 /// Read and check the words. `materials`: the names in constant/materials.
-/// `meshSize` > 0 replaces the dictionary's default one.
+/// `meshSize` > 0 replaces the dictionary's default one; sizes of bodies, walls and refinements keep their ratio to it.
 /// Throws UserError with file and line.
 MeshDescription readMeshDict(const Dictionary& dict, const std::vector<std::string>& materials, double meshSize = 0);
 

@@ -10,7 +10,8 @@ std::vector<KeywordTable> meshKeywords() {
     return {
         {file,
          "",
-         "Bodies and walls, in metres. `pfemMesh -h` takes another meshSize.",
+         "Bodies and walls, in metres. `pfemMesh -h` takes another meshSize; those of bodies, walls and refinements "
+         "keep their ratio to it.",
          {{"meshSize", "scalar", "m", "required",
            "wanted length of the triangles' edges, where bodies and walls have none of their own", "> 0"},
           {"dimension", "int", "-", "3 with geometry, else 2", "2: polygons, triangles; 3: shapes in space, tetrahedra",

@@ -1,9 +1,20 @@
 #include "walls/meeting.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 namespace pfem {
+
+namespace {
+
+/// How far a place on a wall is from the straight face there [m].
+template <int Dim>
+double bulgeAt(const WallFace<Dim>& wall, const Points<Dim>& x, const Vec<Dim>& place) {
+    return wall.bent ? std::abs(inwardNormal<Dim>(x, wall.nodes).dot(place - x[wall.nodes[0]])) : 0;
+}
+
+}  // namespace
 
 template <int Dim>
 std::optional<Meeting<Dim>> meetingOf(const std::vector<WallFace<Dim>>& walls, const Points<Dim>& x,
@@ -24,12 +35,16 @@ std::optional<Meeting<Dim>> meetingOf(const std::vector<WallFace<Dim>>& walls, c
         if (!(metric.determinant() > 1e-6)) return std::nullopt;
         meeting.x += N * metric.inverse() * off;
     }
+    // where a straight wall ends in chords the bent one beside it bulges out of them
+    double farthest = 0, bulge = 0;
     for (int k = 0; k < count; ++k) {
         const auto place = placeOnRegion<Dim>(walls, x, meeting.walls[k], meeting.x);
-        if (count > 1 && !((place.x - meeting.x).norm() < near)) return std::nullopt;
         meeting.walls[k] = place.face;
+        farthest = std::max(farthest, (place.x - meeting.x).norm());
+        bulge = std::max(bulge, bulgeAt<Dim>(walls[place.face], x, place.x));
         if (count == 1) meeting.x = place.x;
     }
+    if (count > 1 && !(farthest < near + bulge)) return std::nullopt;
     return meeting;
 }
 

@@ -179,6 +179,31 @@ TEST_F(Functions, AttachedProbeFollowsARotation) {
     for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(again[i], D[i + 4]);
 }
 
+// Round bodies have sides of chords: a point of the true side rides on the cell beside it, one far away on nothing.
+TEST_F(Functions, AttachedProbeMayBeALittleBesideItsMaterial) {
+    State<2> state = blocks(2);
+    writeState(folder_.path() / "0", state);
+    auto functions = make(
+        "tip { type probes; fields (D); fixedLocations false; writePrecision 15; "
+        "probeLocations ((2.02 0.6 0) (2.01 1.02 0) (2.2 0.6 0)); }");
+    testing::internal::CaptureStderr();
+    functions.start(state);
+    const std::string warnings = testing::internal::GetCapturedStderr();
+    EXPECT_NE(warnings.find("probe 2 of function 'tip', (2.2 0.6 0)"), std::string::npos) << warnings;
+    EXPECT_EQ(warnings.find("probe 1 "), std::string::npos) << warnings;
+    State<2> turned = state;
+    rotateSolid(turned, 0.3);
+    turned.time = {0.1, 1, 0.1, 0.1};
+    functions.execute(turned);
+    const auto D = rows("tip/0/D").at(1);
+    for (const auto& [column, arm] : {std::pair<std::size_t, Vec<2>>{1, {1.02, 0.6}}, {4, {1.01, 1.02}}}) {
+        const Vec<2> expected = Eigen::Rotation2D<double>(0.3) * arm - arm;
+        EXPECT_NEAR(D[column], expected[0], 1e-13);
+        EXPECT_NEAR(D[column + 1], expected[1], 1e-13);
+    }
+    EXPECT_EQ(D[7], -1e300);
+}
+
 TEST_F(Functions, AttachedProbeInTheFluidSurvivesRestartAndNoticesRemoval) {
     const std::string text = "drop { type probes; fields (p); fixedLocations false; probeLocations ((0.3 0.6 0)); }";
     State<2> state = blocks(2);

@@ -47,6 +47,25 @@ TEST(Read, sizeOfTheCommandLine) {
     EXPECT_EQ(mesh.bodies[0].meshSize, 0);
 }
 
+// What has a size of its own keeps the ratio to the size for all.
+TEST(Read, otherSizesGoWithThatOfTheCommandLine) {
+    const std::string text =
+        "meshSize 0.02; bodies { water { type fluid; material water; vertices ((0 0) (1 0) (1 1) (0 1)); } plate { "
+        "type "
+        "solid; material rubber; meshSize 0.005; vertices ((1 0) (1.1 0) (1.1 1) (1 1)); } } walls { tank { meshSize "
+        "0.01; points ((0 2) (0 0) (1 0)); } } refinements { toe { type box; min (0 0); max (0.1 0.1); meshSize 0.004; "
+        "} "
+        "}";
+    const auto mesh = describe(text, 0.03);
+    EXPECT_EQ(mesh.meshSize, 0.03);
+    EXPECT_EQ(mesh.bodies[0].meshSize, 0);
+    EXPECT_DOUBLE_EQ(mesh.bodies[1].meshSize, 0.0075);
+    EXPECT_DOUBLE_EQ(mesh.walls[0].meshSize, 0.015);
+    EXPECT_DOUBLE_EQ(mesh.refinements[0].meshSize, 0.006);
+    EXPECT_EQ(describe(text).bodies[1].meshSize, 0.005);
+    EXPECT_EQ(describe(text.substr(text.find("bodies")), 0.03).bodies[1].meshSize, 0.005);  // nothing to be in ratio to
+}
+
 TEST(Read, reportNamesAllParts) {
     const auto description = describe(damBreakElasticWall());
     const auto report = meshReport(description, buildMesh(description));

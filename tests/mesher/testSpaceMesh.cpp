@@ -131,6 +131,19 @@ TEST(SpaceMesh, IsReadBackAndMadeAgainBitForBit) {
     EXPECT_EQ(second.mesh.fluid.nodes, state.mesh.fluid.nodes);
 }
 
+TEST(SpaceMesh, OtherSizesGoWithThatOfTheCommandLine) {
+    const std::string text =
+        "meshSize 0.1; bodies { water { type fluid; material water; geometry { type box; min (0 0 0); max (1 1 1); } } "
+        "plate { type solid; material rubber; meshSize 0.02; geometry { type box; min (1 0 0); max (1.1 1 1); } } } "
+        "refinements { a { type sphere; centre (0 0 0); radius 0.2; meshSize 0.05; } }";
+    const auto mesh = describeSpace(text, "", 0.3);
+    EXPECT_EQ(mesh.meshSize, 0.3);
+    EXPECT_EQ(mesh.bodies[0].meshSize, 0);
+    EXPECT_DOUBLE_EQ(mesh.bodies[1].meshSize, 0.06);
+    EXPECT_DOUBLE_EQ(mesh.refinements[0].meshSize, 0.15);
+    EXPECT_EQ(describeSpace(text).bodies[1].meshSize, 0.02);
+}
+
 TEST(SpaceMesh, SizesByBodyAndPlace) {
     const std::string text =
         "meshSize 0.1; geometry { w { type box; min (0 0 0); max (1 1 1); } } bodies { water { type fluid; material "

@@ -153,4 +153,52 @@ TEST(Landing, convexEdgesHoldCalmWaterAlone) {
     EXPECT_NEAR(back[0][2], 1, 1e-12);
 }
 
+/// A tetrahedron of water whose first node lies on the rim of a round tank's floor, in the middle of a chord.
+TestCase3 onARim() {
+    TestCase3 c;
+    State<3>& state = c.state;
+    state.mesh.materials = {"water"};
+    const auto rim = [](double k) { return Vec<3>(std::cos(k * M_PI / 12), std::sin(k * M_PI / 12), 0); };
+    const Vec<3> onRim = 0.5 * (rim(0) + rim(1)), up(0, 0, 2), middle(0, 0, 1);
+    for (const Vec<3>& x : {onRim, Vec<3>(0.3, 0, 0.4), Vec<3>(0.3, 0.3, 0.5), Vec<3>(0.5, 0.1, 0.8)}) {
+        state.nodes.resize(state.nodes.size() + 1);
+        state.nodes.id.back() = state.nextId++;
+        state.nodes.x.back() = state.nodes.X.back() = x;
+        state.nodes.h.back() = 0.5;
+    }
+    state.mesh.fluid.nodes = {{0, 1, 2, 3}};
+    if (simplexMeasure<3>(state.nodes.x, state.mesh.fluid.nodes[0]) < 0) state.mesh.fluid.nodes = {{1, 0, 2, 3}};
+    state.mesh.fluid.material = {0};
+    Patch<3> tank{"tank", {}};
+    for (int k = 0; k < 24; ++k) {
+        addQuad(state, tank, {rim(k), rim(k + 1), rim(k + 1) + up, rim(k) + up}, middle);
+        Patch<3> floor = tank;
+        addQuad(state, floor, {rim(k), rim(k + 1), Vec<3>::Zero(), Vec<3>::Zero()}, middle);
+        tank.faces.push_back(floor.faces[tank.faces.size()]);
+    }
+    state.mesh.patches.push_back(tank);
+    c.problem.conditions =
+        readBoundaryConditions<3>(Dictionary::parse("tank { type slip; }", "boundaryConditions"), state.mesh.patches);
+    separateFromWalls<3>({true}, state);
+    return c;
+}
+
+// The side bulges out of the chords with which the floor ends: its edge holds what slides along it all the same.
+TEST(Landing, roundRimsHoldWhatSlidesAlongThem) {
+    TestCase3 c = onARim();
+    auto& nodes = c.state.nodes;
+    ASSERT_EQ(nSupports(nodes.wall[0]), 2);
+    const double h = nodes.h[0], start = std::atan2(nodes.x[0][1], nodes.x[0][0]);
+    for (int turn = 1; turn <= 10; ++turn) {  // a tenth of a chord each
+        const auto topology = c.topology();
+        const Points<3> old = nodes.x;
+        nodes.x[0] += 0.026 * Vec<3>(-nodes.x[0][1], nodes.x[0][0], 0);
+        landOnWalls<3>(c.controls.remeshing.expert.walls, topology, old, g, c.state);
+        ASSERT_EQ(nSupports(nodes.wall[0]), 2) << turn;
+        EXPECT_NEAR(nodes.x[0][2], 0, 1e-3 * h);
+        EXPECT_NEAR(nodes.x[0].norm(), 1, 2e-3);  // chords are up to 0.009 within the circle
+        EXPECT_NEAR(std::atan2(nodes.x[0][1], nodes.x[0][0]) - start, 0.026 * turn, 0.003) << turn;
+    }
+}
+
 }  // namespace

@@ -5,18 +5,12 @@
 #include <algorithm>
 
 #include "mesher/meshFile.hpp"
+#include "mesher/sizes.hpp"
 #include "mesher/space/readGeometry.hpp"
 
 namespace pfem {
 
 namespace {
-
-double readSize(const Dictionary& dict) {
-    if (!dict.found("meshSize")) return 0;
-    const auto h = dict.get<double>("meshSize");
-    if (!(h > 0)) dict.fatal("meshSize", fmt::format("meshSize must be positive, not {:g}", h));
-    return h;
-}
 
 /// A word, or a list of words.
 std::vector<std::string> readNames(const Dictionary& dict, const std::string& key) {
@@ -33,8 +27,8 @@ public:
 
     SpaceDescription read(double meshSize) {
         mesh_.places = Places(dict_);
-        mesh_.meshSize = meshSize > 0 ? meshSize : readSize(dict_);
-        if (meshSize > 0) dict_.found("meshSize");
+        const double ofDict = readSize(dict_);
+        mesh_.meshSize = meshSize > 0 ? meshSize : ofDict;
         if (dict_.found("meshFile")) readMeshFileEntries(meshSize);
         if (dict_.found("geometry"))
             for (const auto& shape : dict_.dictList("geometry")) addGeometry(shape);
@@ -44,6 +38,7 @@ public:
             for (const auto& wall : dict_.dictList("walls")) mesh_.walls.push_back(readWall(wall));
         if (dict_.found("refinements"))
             for (const auto& place : dict_.dictList("refinements")) mesh_.refinements.push_back(readRefinement(place));
+        if (meshSize > 0 && ofDict > 0) scaleSizes(meshSize / ofDict, mesh_);
         return std::move(mesh_);
     }
 

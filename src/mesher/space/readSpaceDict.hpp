@@ -11,8 +11,8 @@ namespace pfem {
 /// file what it holds.
 int meshDimension(const Dictionary& dict, const std::filesystem::path& caseFolder);
 
-/// `materials`: the names that bodies may have; `meshSize` > 0: instead of that at the top. Throws UserError with the
-/// place in the dictionary.
+/// `materials`: the names that bodies may have; `meshSize` > 0: instead of that at the top, to which the other sizes
+/// keep their ratio. Throws UserError with the place in the dictionary.
 SpaceDescription readSpaceDict(const Dictionary& dict, const std::vector<std::string>& materials,
                                const std::filesystem::path& caseFolder, double meshSize = 0);
 
