@@ -41,9 +41,13 @@ BoundaryConditions<Dim> readBoundaryConditions(const Dictionary& dict, const std
         if (key == "FoamFile" || !dict.isDict(key) || std::find(names.begin(), names.end(), key) != names.end())
             continue;
         const Dictionary& entry = dict.subDict(key);
-        if (Dim != 2 || !entry.found("type") || entry.get<std::string>("type") != "sideWalls")
+        const auto type = entry.found("type") ? entry.get<std::string>("type") : "";
+        if (type == "damping")
+            result.damping.push_back(readDamping<Dim>(entry));
+        else if (Dim == 2 && type == "sideWalls")
+            result.sideFriction += readSideFriction(entry);
+        else
             dict.fatal(key, notValid(key, "patch", names));
-        result.sideFriction += readSideFriction(entry);
     }
     demandEntries(dict, names);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "conditions/damping.hpp"
 #include "conditions/patchType.hpp"
 #include "conditions/wallMotion.hpp"
 
@@ -22,6 +23,7 @@ struct BoundaryConditions {
     std::vector<std::shared_ptr<const Inlet>> inlet;    // null: water does not come in there
     std::vector<std::shared_ptr<const Outlet>> outlet;  // null: nor does it go
     double sideFriction = 0;  // (2D) c_f over the distance of the two walls in front and behind [1/m]
+    std::vector<DampingZone<Dim>> damping;
 
     bool anyInlet() const {
         return std::any_of(inlet.begin(), inlet.end(), [](const auto& i) { return i != nullptr; });

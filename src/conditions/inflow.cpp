@@ -54,12 +54,16 @@ std::function<double(const Vec<Dim>&)> parabola(const std::vector<Face<Dim>>& fa
     };
 }
 
-/// Wet area of a patch.
+/// Wet area of an inlet. Faces that reach over its edge, onto a wall that goes on smoothly, are not of it.
 template <int Dim>
-double wetArea(const Topology<Dim>& topology, const Points<Dim>& x, int patch) {
+double wetArea(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology, const Points<Dim>& x,
+               int patch) {
     double area = 0;
     for (const auto& face : topology.faces)
-        if (face.wall >= 0 && topology.walls[face.wall].patch == patch) area += faceArea<Dim>(x, face.nodes).norm();
+        if (face.wall >= 0 && topology.walls[face.wall].patch == patch &&
+            std::all_of(face.nodes.begin(), face.nodes.end(),
+                        [&](int i) { return inletOf<Dim>(conditions, topology, i) == patch; }))
+            area += faceArea<Dim>(x, face.nodes).norm();
     return area;
 }
 
@@ -118,7 +122,7 @@ std::vector<DrivenNode<Dim>> drivenNodes(const BoundaryConditions<Dim>& conditio
             if (face.kind == FaceKind::wall)
                 for (const int node : face.nodes)
                     if (patchOf[node] == k) swept -= speed(node) * e.dot(faceArea<Dim>(x, face.nodes)) / Dim;
-        const double factor = swept > 0 ? (inlet.ofVolume ? 1 : wetArea<Dim>(topology, x, k)) / swept : 0;
+        const double factor = swept > 0 ? (inlet.ofVolume ? 1 : wetArea<Dim>(conditions, topology, x, k)) / swept : 0;
         for (int i = 0; i < topology.nNodes(); ++i) {
             if (patchOf[i] != k) continue;
             const Vec<Dim> unit = factor * speed(i) * e;
@@ -142,7 +146,7 @@ template <int Dim>
 double prescribedInflow(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology, const Points<Dim>& x,
                         int patch, double t0, double t1) {
     const Inlet& inlet = *conditions.inlet[patch];
-    const double area = wetArea<Dim>(topology, x, patch);
+    const double area = wetArea<Dim>(conditions, topology, x, patch);
     return area == 0 ? 0 : inlet.during(t0, t1) * (inlet.ofVolume ? 1 : area);
 }
 

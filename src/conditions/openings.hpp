@@ -33,13 +33,15 @@ struct Inlet {
     }
 };
 
-/// Where water leaves: under no load, under a pressure, or under that of still water up to a level.
+/// Where water leaves: under no load, under a pressure, or under that of still water up to a level, and of the waves
+/// that have gone out there.
 struct Outlet {
     Function1Ptr<double> pressure;  // [Pa]; null: none
     Function1Ptr<double> level;     // of the water outside, against gravity [m]; null: none
+    double waveSpeed = 0;           // of waves that go out over this level [m/s]; 0: they are thrown back
 
     /// Water outside guides it: it goes straight through.
-    bool guides() const { return pressure || level; }
+    bool guides() const { return (pressure || level) && waveSpeed == 0; }
 };
 
 }  // namespace pfem

@@ -1,24 +1,27 @@
+#include <fmt/format.h>
+
 #include <cmath>
+#include <functional>
 
 #include "dictionary/function1Types.hpp"
 #include "waves/makerSignal.hpp"
+#include "waves/permanentWave.hpp"
 
 namespace pfem::function1Detail {
 
 namespace {
 
-/// Displacement of a wave maker at the still level, from rest [m].
+/// Displacement of a wave maker at the still level, from rest [m]; of an inlet what comes in [m2/s].
 struct Motion {
-    std::vector<Sine> sines;
-    std::shared_ptr<const SolitaryMotion> solitary;  // instead of them
-    double ramp = 0, start = 0;                      // [s]
-    double flapDepth = 0;                            // of a flap: its motion is an angle; 0: a piston
+    std::function<double(double)> signal;  // from its start on
+    double ramp = 0, start = 0;            // [s]
+    double flapDepth = 0;                  // of a flap: its motion is an angle; 0: a piston
 
     double value(double t) const {
         const double since = t - start;
         if (since <= 0) return 0;
         const double grown = since < ramp ? 0.5 * (1 - std::cos(M_PI * since / ramp)) : 1;
-        const double x = solitary ? solitary->value(since) : grown * sumAt(sines, since);
+        const double x = grown * signal(since);
         return flapDepth > 0 ? std::atan(x / flapDepth) : x;
     }
 };
@@ -41,39 +44,75 @@ double positive(const Dictionary& dict, const std::string& key) {
     return value;
 }
 
-Motion readMotion(const Dictionary& dict) {
-    const auto theory =
-        dict.choice("theory", {"airy", "secondOrder", "solitary", "jonswap", "piersonMoskowitz", "focused"}, "airy");
-    Flume flume;
-    flume.depth = positive(dict, "depth");
-    flume.gravity = dict.get("gravity", flume.gravity);
-    if (dict.choice("maker", {"piston", "flap"}, "piston") == "flap") flume.maker = Maker::flap;
-    Motion motion;
-    motion.start = dict.get("start", 0.0);
-    if (flume.maker == Maker::flap) motion.flapDepth = flume.depth;
-    const double height = positive(dict, "height");
-    if ((theory == "solitary" || theory == "secondOrder") && flume.maker == Maker::flap)
-        dict.fatal("theory", "The theory '" + theory + "' is that of a piston");
-    if (theory == "solitary") {
-        motion.solitary = std::make_shared<SolitaryMotion>(height, flume);
-        return motion;
+using Signal = std::function<double(double)>;
+
+Signal sumOf(std::vector<Sine> sines) {
+    return [sines = std::move(sines)](double t) { return sumAt(sines, t); };
+}
+
+/// The signal for a surface that is a sum of small waves.
+Signal signalFor(const std::vector<Sine>& surface, const Flume& flume) {
+    return sumOf(flume.maker == Maker::inlet ? inflowFor(surface, flume) : motionFor(surface, flume));
+}
+
+/// Waves that go on as they are; what comes in at an inlet is c eta.
+Signal permanentSignal(const PermanentWave& wave, const Flume& flume) {
+    if (flume.maker == Maker::inlet) return [wave](double t) { return wave.c * wave.surface(wave.k * wave.c * t); };
+    return [motion = PermanentMotion(wave, flume.depth)](double t) { return motion.value(t); };
+}
+
+Signal regularSignal(const Dictionary& dict, const std::string& theory, double height, const Flume& flume) {
+    const RegularWave wave{height, positive(dict, "period"), flume.depth, flume.gravity};
+    if (theory == "stokes5" || theory == "cnoidal") {
+        const auto permanent = theory == "cnoidal" ? cnoidalWave(wave) : stokesWave(wave);
+        const double number = ursell(permanent, wave);
+        if (theory == "stokes5" ? number > 40 : number < 10)
+            dict.fatal("theory", fmt::format("H L^2/d^3 is {:.3g} (wave length {:.4g} m): above 40 'stokes5' does not "
+                                             "hold, below 10 'cnoidal'",
+                                             number, 2 * M_PI / permanent.k));
+        return permanentSignal(permanent, flume);
     }
-    const double period = positive(dict, "period");
-    motion.ramp = dict.get("ramp", period);
-    if (theory == "airy" || theory == "secondOrder") {
-        motion.sines = regularMotion(height, period, theory == "secondOrder", flume);
-        return motion;
-    }
-    Sea sea{height, period};
+    if (flume.maker == Maker::inlet) return signalFor({{0.5 * height, 2 * M_PI / wave.period, 0}}, flume);
+    return sumOf(regularMotion(height, wave.period, theory == "secondOrder", flume));
+}
+
+Signal seaSignal(const Dictionary& dict, const std::string& theory, double height, const Flume& flume) {
+    Sea sea{height, positive(dict, "period")};
     sea.gamma = theory == "piersonMoskowitz" ? 1 : dict.get("gamma", sea.gamma);
     sea.components = dict.get("components", sea.components);
     if (sea.components < 1) dict.fatal("components", "A sea needs a component at least");
     sea.seed = dict.get("seed", sea.seed);
-    if (theory == "focused") {
-        const Focus focus{height, dict.get<double>("focusTime"), dict.get("focusPlace", 0.0)};
-        motion.sines = motionFor(focusedGroup(sea, focus, flume.depth, flume.gravity), flume);
-    } else
-        motion.sines = motionFor(surfaceOf(sea), flume);
+    if (theory != "focused") return signalFor(surfaceOf(sea), flume);
+    const Focus focus{height, dict.get<double>("focusTime"), dict.get("focusPlace", 0.0)};
+    return signalFor(focusedGroup(sea, focus, flume.depth, flume.gravity), flume);
+}
+
+Motion readMotion(const Dictionary& dict) {
+    const auto theory = dict.choice(
+        "theory", {"airy", "secondOrder", "stokes5", "cnoidal", "solitary", "jonswap", "piersonMoskowitz", "focused"},
+        "airy");
+    Flume flume;
+    flume.depth = positive(dict, "depth");
+    flume.gravity = dict.get("gravity", flume.gravity);
+    const auto maker = dict.choice("maker", {"piston", "flap", "inlet"}, "piston");
+    flume.maker = maker == "flap" ? Maker::flap : maker == "inlet" ? Maker::inlet : Maker::piston;
+    Motion motion;
+    motion.start = dict.get("start", 0.0);
+    if (flume.maker == Maker::flap) motion.flapDepth = flume.depth;
+    const double height = positive(dict, "height");
+    const bool permanent = theory == "stokes5" || theory == "cnoidal";
+    if ((theory == "solitary" || theory == "secondOrder") && flume.maker != Maker::piston)
+        dict.fatal("theory", "The theory '" + theory + "' is that of a piston");
+    if (permanent && flume.maker == Maker::flap)
+        dict.fatal("theory", "The theory '" + theory + "' is that of a piston or an inlet");
+    if (theory == "solitary") {
+        motion.signal = [wave = SolitaryMotion(height, flume)](double t) { return wave.value(t); };
+        return motion;
+    }
+    motion.signal = permanent || theory == "airy" || theory == "secondOrder"
+                        ? regularSignal(dict, theory, height, flume)
+                        : seaSignal(dict, theory, height, flume);
+    motion.ramp = dict.get("ramp", positive(dict, "period"));
     return motion;
 }
 

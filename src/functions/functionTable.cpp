@@ -15,6 +15,7 @@
 #include "functions/surfaces.hpp"
 #include "functions/volumeFlow.hpp"
 #include "functions/waveGauge.hpp"
+#include "functions/waveReflection.hpp"
 #include "io/stateFiles.hpp"
 
 namespace pfem {
@@ -42,6 +43,7 @@ std::map<std::string, FunctionFactory<Dim>>& table() {
         {"surfaces", make<Dim, Surfaces<Dim>>},
         {"volumeFlow", make<Dim, VolumeFlow<Dim>>},
         {"waveGauge", make<Dim, WaveGauge<Dim>>},
+        {"waveReflection", make<Dim, WaveReflection<Dim>>},
     };
     return entries;
 }

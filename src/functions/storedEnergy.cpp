@@ -140,6 +140,7 @@ EnergyPowers energyPowers(const Problem<Dim>& problem, const Controls& controls,
     powers.viscous += walls.viscous;
     Points<Dim> sides(nodes.size(), Vec<Dim>::Zero());
     addSideFriction<Dim>(problem, mesh.fluid, fluid, nodes.v, sides);
+    addDamping<Dim>(problem, mesh.fluid, fluid, nodes, sides);
     for (int i = 0; i < nodes.size(); ++i) powers.viscous -= sides[i].dot(nodes.v[i]);
     return powers;
 }

@@ -95,13 +95,12 @@ std::vector<unsigned char> sidesOf(const Points<Dim>& x, const Vec<Dim>& foot, c
     return side;
 }
 
-/// Against gravity at time 0; without gravity z.
+}  // namespace
+
 Vec<3> upwards(const std::filesystem::path& root) {
     const auto g = readFunction1<Eigen::Vector3d>(Dictionary::read(root / "constant" / "g"), "value")->value(0);
     return g.norm() > 0 ? Vec<3>(-g) : Vec<3>(0, 0, 1);
 }
-
-}  // namespace
 
 template <int Dim>
 std::optional<GaugeReading> readGauge(const State<Dim>& state, const Vec<Dim>& foot, const Vec<Dim>& direction) {

@@ -31,6 +31,9 @@ struct GaugeReading {
 template <int Dim>
 std::optional<GaugeReading> readGauge(const State<Dim>& state, const Vec<Dim>& foot, const Vec<Dim>& direction);
 
+/// Against gravity at time 0 of the case; without gravity z.
+Vec<3> upwards(const std::filesystem::path& root);
+
 /// Writes postProcessing/<name>/<startTime>/ elevation, highest and depth in the form of OpenFOAM's probes; a
 /// dry gauge gives -1e+300.
 template <int Dim>

@@ -33,9 +33,10 @@ Points<Dim> externalForce(const Mesh<Dim>& mesh, const Topology<Dim>& topology, 
     auto force = tractionForce<Dim>(mesh, fluid.problem.conditions, nodes.x);
     addChordPressure<Dim>(topology, nodes, force);
     addMeniscus<Dim>(fluid.problem, mesh.fluid, topology, nodes, force);
-    addOutletPressure<Dim>(fluid.problem, mesh.fluid, topology, nodes.x, force);
+    addOutletPressure<Dim>(fluid.problem, mesh.fluid, topology, nodes, force);
     addWallFriction<Dim>(fluid.problem, mesh.fluid, topology, nodes, force);
     addSideFriction<Dim>(fluid.problem, mesh.fluid, fluid.domains, nodes.v, force);
+    addDamping<Dim>(fluid.problem, mesh.fluid, fluid.domains, nodes, force);
     return force;
 }
 

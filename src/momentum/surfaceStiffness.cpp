@@ -2,6 +2,7 @@
 
 #include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
+#include "momentum/outletPressure.hpp"
 
 namespace pfem {
 
@@ -19,6 +20,7 @@ Points<Dim> surfaceStiffness(const Problem<Dim>& problem, const Cells<Dim>& flui
             0.5 * midpoint.dt * problem.fluid(fluid.material[face.cell]).rho * std::max(0.0, pressing) / Dim;
         for (int node : face.nodes) stiffness[node] += share * direction;
     }
+    addOutletStiffness<Dim>(problem, fluid, topology, x, stiffness);
     return stiffness;
 }
 

@@ -10,7 +10,8 @@ namespace pfem {
 /// Lumped diagonal, per direction, of the derivative of the hydrostatic force on the fluid's faces by the velocity at
 /// the end of the step,
 ///     gamma dt/2 sum_faces rho max(0, -g . n) |face|/d,  along g,
-/// over gamma [kg/s per m (2D)]. Faces: free surface and solids, n out of the fluid. It shapes the iteration's path,
+/// over gamma [kg/s per m (2D)]. Faces: free surface and solids, n out of the fluid; and that of
+/// outlets (addOutletStiffness). It shapes the iteration's path,
 /// not its end: without it steps above some 1.5 sqrt(h/g) do not converge.
 template <int Dim>
 Points<Dim> surfaceStiffness(const Problem<Dim>& problem, const Cells<Dim>& fluid, const Topology<Dim>& topology,

@@ -56,10 +56,24 @@ void addSideFriction(const Problem<Dim>& problem, const Cells<Dim>& fluid, const
     });
 }
 
+template <int Dim>
+void addDamping(const Problem<Dim>& problem, const Cells<Dim>& fluid, const SmoothingDomains<Dim>& domains,
+                const Nodes<Dim>& nodes, Points<Dim>& force) {
+    const NodeToCells& around = *domains.around;
+    for (const auto& zone : problem.conditions.damping)
+        parallelFor(domains.nNodes(), [&](int i) {
+            if (around.count(i) == 0) return;
+            const double rho = problem.fluid(fluid.material[around.cell[around.start[i]]]).rho;
+            force[i] -= domains.volume[i] * rho * zone.at(nodes.x[i]) * (nodes.v[i] - zone.velocity);
+        });
+}
+
 #define PFEM_INSTANTIATE(D)                                                                                            \
     template Vec<D> sideFriction<D>(const Problem<D>&, double, const Vec<D>&);                                         \
     template void addSideFriction<D>(const Problem<D>&, const Cells<D>&, const SmoothingDomains<D>&, const Points<D>&, \
                                      Points<D>&);                                                                      \
+    template void addDamping<D>(const Problem<D>&, const Cells<D>&, const SmoothingDomains<D>&, const Nodes<D>&,       \
+                                Points<D>&);                                                                           \
     template Vec<D> slidingVelocity<D>(const Problem<D>&, int, const Vec<D>&, const Vec<D>&, const Vec<D>&);           \
     template Vec<D> wallFriction<D>(const Problem<D>&, int, double, const Vec<D>&);                                    \
     template void addWallFriction<D>(const Problem<D>&, const Cells<D>&, const Topology<D>&, const Nodes<D>&,          \

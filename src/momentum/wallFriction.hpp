@@ -35,4 +35,9 @@ template <int Dim>
 void addSideFriction(const Problem<Dim>& problem, const Cells<Dim>& fluid, const SmoothingDomains<Dim>& domains,
                      const Points<Dim>& v, Points<Dim>& force);
 
+/// Add the force of damping zones, - rho r(x) (v - v_zone) per volume, on the fluid's domains.
+template <int Dim>
+void addDamping(const Problem<Dim>& problem, const Cells<Dim>& fluid, const SmoothingDomains<Dim>& domains,
+                const Nodes<Dim>& nodes, Points<Dim>& force);
+
 }  // namespace pfem

@@ -21,6 +21,15 @@ std::vector<KeywordTable> conditionKeywords() {
           {"friction", "scalar", "-", "required",
            "c_f of each, as of slip walls: force per volume - rho c_f |v| v / width", ">= 0"}}},
         {conditions,
+         "damping",
+         "Water that is brought to rest, or to a current: a sponge for waves. Force per volume - rho r (v - velocity), "
+         "r = rate s^exponent, s from 0 at `from` to 1 at `to` and beyond. Under any name that no patch has.",
+         {{"from", "vector", "m", "required", "where it begins", ""},
+          {"to", "vector", "m", "required", "where it has its full rate", "not from"},
+          {"rate", "scalar", "1/s", "required", "the largest r; good for waves: their omega = 2 pi/T", ">= 0"},
+          {"exponent", "scalar", "-", "2", "of its growth on the way", ">= 0"},
+          {"velocity", "vector", "m/s", "(0 0 0)", "to which the water is brought", ""}}},
+        {conditions,
          "motion",
          "A rigid motion: a displacement, or a turn about a point that is displaced, or both. Values of time are "
          "written as "
@@ -36,10 +45,13 @@ std::vector<KeywordTable> conditionKeywords() {
          "How a wave maker moves for the waves that one wants: as displacement of a piston, or as angle of a flap that "
          "turns about the bed.",
          {{"theory", "word", "-", "airy",
-           "regular waves (airy; secondOrder: without free second harmonics), one solitary wave, a sea, a focused "
-           "group",
-           "one of: airy secondOrder solitary jonswap piersonMoskowitz focused"},
-          {"maker", "word", "-", "piston", "what moves", "one of: piston flap"},
+           "regular waves (airy; secondOrder: without free second harmonics; stokes5 for steep, cnoidal for long "
+           "ones), one "
+           "solitary wave, a sea, a focused group",
+           "one of: airy secondOrder stokes5 cnoidal solitary jonswap piersonMoskowitz focused"},
+          {"maker", "word", "-", "piston",
+           "what moves; inlet: the value is what comes in per width, for the flowRate of an inlet [m2/s]",
+           "one of: piston flap inlet"},
           {"depth", "scalar", "m", "required", "of the still water", "> 0"},
           {"height", "scalar", "m", "required",
            "of the waves; of a sea the significant one, of a focused group its crest", "> 0"},

@@ -9,6 +9,7 @@
 #include "functions/surfaces.hpp"
 #include "functions/volumeFlow.hpp"
 #include "functions/waveGauge.hpp"
+#include "functions/waveReflection.hpp"
 #include "reference/keywords.hpp"
 
 namespace pfem {
@@ -78,6 +79,8 @@ std::vector<KeywordTable> functionKeywords() {
         {file, "volumeFlow", "Volume of fluid that passes a plane: its rate, and the sum since the beginning.",
          describeEntries<VolumeFlowEntries>()},
         {file, "waveGauge", "Elevation of the free surface.", describeEntries<WaveGaugeEntries>()},
+        {file, "waveReflection", "Waves that go past a row of gauges and those that come back, by least squares.",
+         describeEntries<WaveReflectionEntries>()},
     };
 }
 

@@ -91,6 +91,7 @@ Handles MovedTriangulation::fromNothing(const Points<2>& points, const std::vect
     std::vector<std::pair<Kernel::Point_2, int>> sites;
     sites.reserve(active.size());
     for (int i : active) sites.emplace_back(site(points[i]), i);
+    if (sites.empty()) return Handles(points.size());  // all water has left; CGAL sorts something only
     using Map = CGAL::First_of_pair_property_map<std::pair<Kernel::Point_2, int>>;
     CGAL::spatial_sort(sites.begin(), sites.end(), CGAL::Spatial_sort_traits_adapter_2<Kernel, Map>(),
                        CGAL::Hilbert_sort_middle_policy());

@@ -32,10 +32,31 @@ Obstacle inFrontOf(const Topology<Dim>& topology, const Points<Dim>& points, con
     return nearest;
 }
 
+template <int Dim>
+void checkLevels(const Dictionary& dict, const Problem<Dim>& problem, const State<Dim>& state) {
+    const double g = problem.gravity.norm();
+    for (std::size_t k = 0; k < problem.conditions.outlet.size(); ++k) {
+        const auto& outlet = problem.conditions.outlet[k];
+        if (!outlet || !outlet->level || g == 0) continue;
+        double low = 1e300;  // of the patch, against gravity
+        for (const auto& face : state.mesh.patches[k].faces)
+            for (const int node : face) low = std::min(low, -problem.gravity.dot(state.nodes.x[node]) / g);
+        const double level = outlet->level->value(state.time.value);
+        if (!outlet->level->isConstant() || level > low) continue;
+        const auto& name = state.mesh.patches[k].name;
+        dict.subDict(name).fatal(
+            "level", fmt::format("the level of {:g} m is below the outlet '{}', whose lower end is at {:g} m: an "
+                                 "outlet without level lets water fall freely",
+                                 level, name, low + 0.0));  // no -0
+    }
+}
+
 }  // namespace
 
 template <int Dim>
-void checkOpenings(const Dictionary& dict, const BoundaryConditions<Dim>& conditions, const State<Dim>& state) {
+void checkOpenings(const Dictionary& dict, const Problem<Dim>& problem, const State<Dim>& state) {
+    const auto& conditions = problem.conditions;
+    checkLevels<Dim>(dict, problem, state);
     if (!conditions.anyInlet()) return;
     const auto& nodes = state.nodes;
     const auto topology = makeTopology<Dim>(state.mesh, conditions.kind, nodes.x, nodes.wall);
@@ -70,8 +91,7 @@ void checkOpenings(const Dictionary& dict, const BoundaryConditions<Dim>& condit
     }
 }
 
-#define PFEM_INSTANTIATE(D) \
-    template void checkOpenings<D>(const Dictionary&, const BoundaryConditions<D>&, const State<D>&);
+#define PFEM_INSTANTIATE(D) template void checkOpenings<D>(const Dictionary&, const Problem<D>&, const State<D>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

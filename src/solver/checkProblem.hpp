@@ -32,7 +32,8 @@ template <int Dim>
 void checkLaws(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const IntegrationControls& integration);
 
 /// Sentences about numbers that can be computed but hardly be meant, each naming its entry with file and line: nothing
-/// drives the case (no gravity, velocity, load or motion), gravity or weight of the fluid out of proportion.
+/// drives the case (no gravity, velocity, load or motion), gravity or weight of the fluid out of proportion,
+/// waves that are short beside the mesh.
 template <int Dim>
 std::vector<std::string> doubts(const Dictionary& materials, const Dictionary& gravity, const Dictionary& conditions,
                                 const Problem<Dim>& problem, const State<Dim>& state);

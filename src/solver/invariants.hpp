@@ -20,7 +20,7 @@ void checkInvariants(const ConvergenceControls& controls, const Topology<Dim>& t
                      const State<Dim>& next);
 
 /// The speed that no node may exceed after landing, contacts and remeshing: that of the fastest now, after the
-/// equations, and twice that of the fastest wall or solid: one may land on it, and be struck there.
+/// equations, and twice that of the fastest wall, solid or node of an opening: one may land on it, and be struck there.
 template <int Dim>
 double allowedSpeed(const Topology<Dim>& topology, const Nodes<Dim>& nodes);
 

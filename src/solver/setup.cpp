@@ -64,7 +64,7 @@ Problem<Dim> readProblem(const Case& theCase, const State<Dim>& state, std::ostr
     const Dictionary conditions = Dictionary::read(theCase.constant("boundaryConditions"));
     problem.conditions = readBoundaryConditions<Dim>(conditions, mesh.patches);
     checkConditions<Dim>(conditions, problem.conditions, state);
-    checkOpenings<Dim>(conditions, problem.conditions, state);
+    checkOpenings<Dim>(conditions, problem, state);
     const auto contactFile = theCase.constant("contact");
     const Dictionary contact = std::filesystem::exists(contactFile) ? Dictionary::read(contactFile) : Dictionary();
     problem.contact.on = std::filesystem::exists(contactFile);

@@ -3,6 +3,7 @@
 #include "solver/beginStep.hpp"
 #include "solver/consistentStart.hpp"
 #include "solver/invariants.hpp"
+#include "walls/openings.hpp"
 
 namespace pfem {
 
@@ -10,6 +11,10 @@ TimeInfo plainNextTime(const TimeInfo& time, double dt) { return {time.value + d
 
 template <int Dim>
 void Simulation<Dim>::start(double dt) {
+    const auto& conditions = problem.conditions;
+    if (conditions.anyInlet())
+        holdAtLips<Dim>(conditions, makeTopology<Dim>(state.mesh, conditions.kind, state.nodes.x, state.nodes.wall),
+                        state.nodes);
     const auto topology = beginStep<Dim>(problem, 0, state).topology;
     const auto over = [&](double from, double to) { return constraintsOver<Dim>(from, to, problem, state, topology); };
     state.nodes =

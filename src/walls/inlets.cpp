@@ -1,4 +1,5 @@
 #include "conditions/inflow.hpp"
+#include "mesh/distance.hpp"
 #include "walls/arrival.hpp"
 #include "walls/openings.hpp"
 #include "walls/passage.hpp"
@@ -26,6 +27,21 @@ std::vector<int> landOnInlets(const PassageStep<Dim>& step, double landingDistan
 }
 
 }  // namespace
+
+template <int Dim>
+void holdAtLips(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology, Nodes<Dim>& nodes) {
+    const auto isInlet = [&](int w) {
+        return topology.walls[w].patch >= 0 && conditions.inlet[topology.walls[w].patch] != nullptr;
+    };
+    for (int w = 0; w < static_cast<int>(topology.walls.size()); ++w) {
+        if (!isInlet(w)) continue;
+        for (int i = 0; i < topology.nNodes(); ++i)
+            for (int& own : nodes.wall[i])
+                if (own >= 0 && !isInlet(own) && topology.walls[own].region == topology.walls[w].region &&
+                    distanceToFace<Dim>(nodes.x, topology.walls[w].nodes, nodes.x[i]) < 1e-6 * nodes.h[i])
+                    own = w;
+    }
+}
 
 template <int Dim>
 void drawFromInlets(const PassageStep<Dim>& step, const WallDistances& controls, State<Dim>& state) {
@@ -59,7 +75,9 @@ void drawFromInlets(const PassageStep<Dim>& step, const WallDistances& controls,
     }
 }
 
-#define PFEM_INSTANTIATE(D) template void drawFromInlets<D>(const PassageStep<D>&, const WallDistances&, State<D>&);
+#define PFEM_INSTANTIATE(D)                                                                   \
+    template void holdAtLips<D>(const BoundaryConditions<D>&, const Topology<D>&, Nodes<D>&); \
+    template void drawFromInlets<D>(const PassageStep<D>&, const WallDistances&, State<D>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

@@ -17,6 +17,10 @@ struct PassageStep {
     double t0, t1;
 };
 
+/// Nodes where a wall goes over smoothly into an inlet belong to the inlet: the lips of a sluice in a plane wall.
+template <int Dim>
+void holdAtLips(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology, Nodes<Dim>& nodes);
+
 /// Put the nodes that inlets drive back. The volume that comes in is the prescribed one; what the mesh gained beside it
 /// (where the surface slopes at an inlet that is not full) is booked as the solver's, and taken from what nodes lack.
 /// Other water that comes within landingDistance h is held there as by a wall.

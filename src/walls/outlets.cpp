@@ -2,6 +2,7 @@
 #include <set>
 
 #include "conditions/wallFreedom.hpp"
+#include "mesh/locate.hpp"
 #include "walls/arrival.hpp"
 #include "walls/openings.hpp"
 #include "walls/passage.hpp"
@@ -109,28 +110,24 @@ private:
         return count > 0 ? Vec<Dim>(sum / count) : otherwise;
     }
 
-    /// The moved water's velocity at a place near node i.
+    /// The moved water's velocity at a place near node i: in the cell around it in which the place lies deepest, or in
+    /// the point of that cell with the nearest weights.
     Vec<Dim> velocityAt(int i, const Vec<Dim>& place) const {
-        double best = -1e300;
-        Vec<Dim> v = nodes_.v[i];
+        WeightedNodes<Dim> best;
+        double deepest = -1e300;
         const auto& around = topology_.fluid;
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
             const auto& cell = state_.mesh.fluid.nodes[around.cell[s]];
-            const auto g = simplexGeometry<Dim>(nodes_.x, cell);
-            if (!(g.measure > 0)) continue;
-            std::array<double, Dim + 1> weight{};
-            double least = 1e300, sum = 0;
-            for (int k = 0; k <= Dim; ++k) {
-                weight[k] = 1.0 / (Dim + 1) + g.gradN[k].dot(place - simplexCentroid<Dim>(nodes_.x, cell));
-                least = std::min(least, weight[k]);
-            }
-            if (least <= best) continue;
-            best = least;
-            for (double& w : weight) sum += w = std::max(w, 0.0);
-            v = Vec<Dim>::Zero();
-            for (int k = 0; k <= Dim; ++k) v += weight[k] / sum * nodes_.v[cell[k]];
+            if (!(simplexMeasure<Dim>(nodes_.x, cell) > 0)) continue;
+            const auto weights = barycentric<Dim>(cell, nodes_.x, place);
+            if (weights.minCoeff() <= deepest) continue;
+            deepest = weights.minCoeff();
+            best = {cell, weights, around.cell[s]};
         }
-        return v;
+        if (best.cell < 0) return nodes_.v[i];
+        best.weights = best.weights.cwiseMax(0).eval();
+        best.weights /= best.weights.sum();
+        return interpolate<Dim>(best, nodes_.v);
     }
 
     void putBack(int i, int wall) {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "waves/secondOrderPiston.hpp"
+
 namespace pfem {
 
 std::vector<Sine> motionFor(const std::vector<Sine>& surface, const Flume& flume) {
@@ -13,13 +15,21 @@ std::vector<Sine> motionFor(const std::vector<Sine>& surface, const Flume& flume
     return motion;
 }
 
+std::vector<Sine> inflowFor(const std::vector<Sine>& surface, const Flume& flume) {
+    std::vector<Sine> inflow = surface;
+    for (auto& sine : inflow) sine.amplitude *= sine.omega / waveNumber(sine.omega, flume.depth, flume.gravity);
+    return inflow;
+}
+
 std::vector<Sine> regularMotion(double height, double period, bool secondOrder, const Flume& flume) {
     const double omega = 2 * M_PI / period, d = flume.depth, q = waveNumber(omega, d, flume.gravity) * d,
                  gain = makerGain(flume.maker, q);
     std::vector<Sine> motion{{0.5 * height / gain, omega, 0}};
-    if (secondOrder)
-        motion.push_back(
-            {height * height / (32 * d) * (3 * std::cosh(q) / std::pow(std::sinh(q), 3) - 2 / gain), 2 * omega, 0});
+    if (secondOrder) {
+        const std::complex<double> i(0, 1), first = -i * motion[0].amplitude;  // a sine
+        const auto second = secondOrderStroke(first, omega, d, flume.gravity);
+        motion.push_back({std::abs(second), 2 * omega, std::arg(i * second)});
+    }
     return motion;
 }
 

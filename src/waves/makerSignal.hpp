@@ -15,9 +15,8 @@ struct Flume {
 /// later.
 std::vector<Sine> motionFor(const std::vector<Sine>& surface, const Flume& flume);
 
-/// Regular waves of height H and period T. `secondOrder` (pistons; Madsen): with the part of 2 omega that keeps free
-/// second harmonics away,
-///     H/(2 m) sin wt + H^2/(32 d) (3 cosh q/sinh^3 q - 2/m) sin 2wt,       m: gain of the piston, q = k d.
+/// Regular waves of height H and period T, H/(2 m) sin wt with the gain m. `secondOrder` (pistons): with the part of
+/// 2 omega that keeps free second harmonics away (secondOrderPiston.hpp).
 std::vector<Sine> regularMotion(double height, double period, bool secondOrder, const Flume& flume);
 
 /// Solitary wave of height a (Goring's piston with Rayleigh's profile): the plate goes with the water,
@@ -33,6 +32,9 @@ private:
 
     double a_, d_, c_, K_;
 };
+
+/// What comes in per time and width in waves with this surface [m2/s]: each times its omega/k.
+std::vector<Sine> inflowFor(const std::vector<Sine>& surface, const Flume& flume);
 
 /// Sum of the sines.
 double sumAt(const std::vector<Sine>& sines, double t);

@@ -77,6 +77,30 @@ TEST(SideWalls, whatTheyTakeIsDissipated) {
                 1e-9 * rho);  // rho V c_f u^3/b
 }
 
+// u' = - r u: half way in, r = 8 0.5^2 1/s; without gravity and pressure each node for itself.
+TEST(Damping, bringsWaterToRest) {
+    const std::string zone = "floor { type slip; } sponge { type damping; from (1 0 0); to (2 0 0); rate 8; ";
+    TestCase c = slidingWater(3, zone + "exponent 0; velocity (1 0 0); }");
+    remesh<2>(c.controls.remeshing, c.kinds(), c.state);
+    c.tolerance(1e-9);
+    c.start(2e-3);
+    for (int k = 0; k < 25; ++k) c.step(2e-3);
+    const double u = 1 + 2 * std::exp(-8 * 0.05);
+    for (int i = 0; i < c.state.nodes.size(); ++i)
+        if (c.topology().wet(i)) {
+            EXPECT_NEAR(c.state.nodes.v[i][0], u, 1e-4);
+        }
+    const DampingZone<2> grows = slidingWater(3, zone + "}").problem.conditions.damping.at(0);
+    EXPECT_EQ(grows.at({0.9, 5}), 0);
+    EXPECT_NEAR(grows.at({1.5, 5}), 2, 1e-12);
+    EXPECT_NEAR(grows.at({7, -5}), 8, 1e-12);
+}
+
+TEST(Damping, whatItTakesIsDissipated) {
+    TestCase c = slidingWater(3, "floor { type slip; } sponge { type damping; from (0 0 0); to (1 0 0); rate 8; }");
+    EXPECT_NEAR(energyPowers<2>(c.problem, c.controls, c.state).viscous, rho * 0.2 * 8 * 9, 1e-9 * rho);
+}
+
 TEST(SideWalls, badWords) {
     const auto fails = [](const std::string& entry) {
         EXPECT_THROW(slidingWater(3, "floor { type slip; } " + entry), UserError) << entry;
@@ -86,6 +110,10 @@ TEST(SideWalls, badWords) {
     fails("glass { type sideWalls; width 0; friction 0.02; }");
     fails("glass { type sideWalls; width 0.1; friction -1; }");
     fails("glass { type slip; }");
+    fails("sponge { type damping; from (0 0 0); to (1 0 0); }");
+    fails("sponge { type damping; from (0 0 0); to (0 0 0); rate 1; }");
+    fails("sponge { type damping; from (0 0 0); to (1 0 0); rate -1; }");
+    fails("sponge { type damping; from (0 0 0); to (1 0 1); rate 1; }");
 }
 
 TEST(WallFriction, slowsTheFlow) {

@@ -146,7 +146,8 @@ TEST(Keywords, ConstantIsComplete) {
         "{ type noSlip; motion { velocity (1 0 0); omega 1; origin (0 0 0); } } f { type sideWalls; width 1; friction "
         "0.004; } g { type inlet; flowRate 1; profile expression; shape y; direction (1 0 0); start 1; stop 2; } h { "
         "type "
-        "inlet; velocity 1; } i { type outlet; pressure 1; } j { type outlet; level 1; } k { type slip; motion { "
+        "inlet; velocity 1; } i { type outlet; pressure 1; } j { type outlet; level 1; waveSpeed 1; } n { type "
+        "damping; from (0 0 0); to (1 0 0); rate 1; exponent 2; velocity (0 0 0); } k { type slip; motion { "
         "displacement { type waveMaker; theory jonswap; maker piston; depth 1; height 0.1; period 1; ramp 1; start 1; "
         "gamma "
         "2; components 10; seed 2; gravity 9; scale (1 0 0); } } } l { type slip; motion { displacement { type "
@@ -156,7 +157,7 @@ TEST(Keywords, ConstantIsComplete) {
     for (const char* name : {"a", "b", "c", "d", "e", "g", "h", "i", "j", "k", "l"}) patches.push_back({name, {}});
     readBoundaryConditions<2>(conditions, patches);
     expectDocumented(*conditions.node(), names(conditionKeywords()),
-                     {"a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l", "FoamFile"});
+                     {"a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l", "n", "FoamFile"});
 }
 
 TEST(Keywords, FunctionsAreComplete) {

@@ -50,7 +50,7 @@ TEST(CheckProblem, inletsHaveAWayOut) {
                                         rectangle(0, 0, 1, 0.5) + " } ); walls ( " + walls + " );",
                                     water, conditions);
         try {
-            checkOpenings<2>(Dictionary::parse(conditions, "boundaryConditions"), c.problem.conditions, c.state);
+            checkOpenings<2>(Dictionary::parse(conditions, "boundaryConditions"), c.problem, c.state);
         } catch (const UserError& error) {
             return std::to_string(error.where().line) + ": " + error.what();
         }
@@ -74,6 +74,28 @@ TEST(CheckProblem, inletsHaveAWayOut) {
     };
     EXPECT_EQ(tableAt("0.58"), "");
     EXPECT_NE(tableAt("0.65").find("comes against the wall 'table', 0.15 m in front"), std::string::npos);
+    const std::string weir = "bed { type slip; } lid { type slip; } left { type slip; }\nend { type outlet; level ";
+    EXPECT_EQ(refused(box, weir + "0.1; }"), "");
+    EXPECT_NE(refused(box, weir + "-0.1; }").find("below the outlet 'end', whose lower end is at 0 m"),
+              std::string::npos);
+}
+
+// Waves must be longer than eight mesh sizes: of h = 0.1 m those of 0.7 s are 0.76 m long.
+TEST(CheckProblem, wavesAreLongBesideTheMesh) {
+    const auto doubtsOfPeriod = [](const std::string& period) {
+        const std::string conditions =
+            "piston { type slip; motion { displacement {\n type waveMaker; depth 0.5; height "
+            "0.02; period " +
+            period + "; } } }";
+        const TestCase c = makeCase("meshSize 0.1; bodies ( pool { type fluid; material water; " +
+                                        rectangle(0, 0, 1, 0.5) + " } ); walls ( piston { points ((0 1) (0 0)); } );",
+                                    water, conditions);
+        return doubts<2>(Dictionary::parse(water, "materials"), Dictionary::parse("value (0 -9.81 0);", "g"),
+                         Dictionary::parse(conditions, "boundaryConditions"), c.problem, c.state);
+    };
+    EXPECT_TRUE(doubtsOfPeriod("0.8").empty());
+    ASSERT_EQ(doubtsOfPeriod("0.7").size(), 1U);
+    EXPECT_NE(doubtsOfPeriod("0.7")[0].find("boundaryConditions:2: these waves are 0.76"), std::string::npos);
 }
 
 // A node has one mean: solids of laws in rates and hyperelastic ones may touch with elemental integration only.

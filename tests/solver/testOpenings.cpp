@@ -141,6 +141,45 @@ TEST(Openings, waterFallsThroughAnOutlet) {
     EXPECT_NEAR(c.state.ledger[VolumeCause::outflow], -through, 0.01 * through);
     EXPECT_NEAR(kept(c), first, 0.01 * first);
     EXPECT_NEAR(c.ledgerSum(), totalVolume<2>(c.state) - first, 1e-13);
+    run(c, 0.2, 5e-3);  // until the last of it is through
+    EXPECT_EQ(totalVolume<2>(c.state), 0);
+    EXPECT_NEAR(c.state.ledger[VolumeCause::outflow], -first, 0.02 * first);
+    EXPECT_NEAR(c.ledgerSum(), -first, 1e-13);
+}
+
+// A sluice in a plane wall, named after it: its lip is the inlet's, and the stream keeps its depth.
+TEST(Openings, aSluiceBelowAGate) {
+    TestCase c = makeCase("meshSize 0.02; bodies ( water { type fluid; material water; " + rectangle(0, 0, 0.6, 0.1) +
+                              " velocity (3 0); } ); walls ( gate { points ((0 0.3) (0 0.1)); } bed { points ((0 0) (2 "
+                              "0)); } sluice { points ((0 0.1) (0 0)); } );",
+                          water, "gate { type slip; } bed { type slip; } sluice { type inlet; velocity 3; }");
+    c.start(1e-3);
+    run(c, 0.3, 2e-3);
+    EXPECT_NEAR(c.state.ledger[VolumeCause::inflow], 0.3 * 3 * 0.1, 1e-10);
+    double top = 0, low = 1;
+    for (int i = 0; i < c.state.nodes.size(); ++i) {
+        const auto& x = c.state.nodes.x[i];
+        if (!c.topology().freeSurface[i] || x[0] > 0.5) continue;
+        top = std::max(top, x[1]);
+        low = std::min(low, x[1]);
+    }
+    EXPECT_NEAR(top, 0.1, 0.005);
+    EXPECT_NEAR(low, 0.1, 0.005);
+}
+
+// A basin that runs dry goes on being computed: its last triangles change by much of themselves.
+TEST(Openings, aBasinRunsDry) {
+    TestCase c =
+        makeCase("meshSize 0.05; bodies ( water { type fluid; material water; " + rectangle(0, 0, 0.4, 0.1) +
+                     " } ); walls ( tank { points ((0 0.4) (0 0) (0.4 0)); } right { points ((0.4 0) (0.4 0.4)); } );",
+                 water, "tank { type slip; } right { type outlet; }");
+    c.start(1e-3);
+    const double first = totalVolume<2>(c.state);
+    for (int n = 0; n < 2000 && c.state.time.value < 3; ++n)
+        c.step(std::min(0.01, 0.4 / std::max(40.0, courantRate<2>(c.state).largest)));
+    EXPECT_LT(totalVolume<2>(c.state), 0.1 * first);  // a film is left
+    EXPECT_NEAR(kept(c), first, 0.02 * first);
+    EXPECT_NEAR(c.ledgerSum(), totalVolume<2>(c.state) - first, 1e-12);
 }
 
 // A nozzle in the air: dry at first, then a jet that falls as a parabola says. Returns how far above it the first water

@@ -1,0 +1,75 @@
+// A duct of tetrahedra between an inlet and an outlet.
+
+#include <gtest/gtest.h>
+
+#include "mesher/space/readSpaceDict.hpp"
+#include "mesher/space/spaceMesher.hpp"
+#include "state/volume.hpp"
+#include "support/cases3.hpp"
+
+using namespace pfem;
+using namespace pfem::test;
+
+namespace {
+
+constexpr double L = 1, B = 0.3, H = 0.4, U = 0.5, mu = 1;
+
+/// Length L along x, width B, height H, full of a thick fluid that moves with v(z).
+TestCase3 duct(const std::function<double(double)>& v) {
+    const auto description = readSpaceDict(
+        Dictionary::parse("dimension 3; meshSize 0.1; geometry { tube { type box; min (0 0 0); max (1 0.3 0.4); } } "
+                          "bodies { oil { type fluid; material oil; geometry tube; } } walls { "
+                          "bedAndLid { geometry tube; open (xMin xMax yMin yMax); } "
+                          "sides { geometry tube; open (xMin xMax zMin zMax); } "
+                          "inlet { geometry tube; open (xMax yMin yMax zMin zMax); } "
+                          "outlet { geometry tube; open (xMin yMin yMax zMin zMax); } }",
+                          "meshDict"),
+        {"oil"}, "");
+    TestCase3 c;
+    c.state = buildSpaceMesh(description).state;
+    for (int i = 0; i < c.state.nodes.size(); ++i) c.state.nodes.v[i] = {v(c.state.nodes.x[i][2]), 0, 0};
+    c.problem.materials =
+        readMaterials(Dictionary::parse("oil { type newtonian; rho 1; mu 1; kappa 1e7; }", "materials"));
+    c.problem.conditions = readBoundaryConditions<3>(
+        Dictionary::parse("bedAndLid { type noSlip; } sides { type slip; } inlet { type inlet; velocity 0.5; profile "
+                          "expression; shape \"z*(0.4 - z)\"; } outlet { type outlet; pressure 0; }",
+                          "boundaryConditions"),
+        c.state.mesh.patches);
+    c.start(0.01);
+    return c;
+}
+
+/// What is there less what has come, but for what the nodes lack.
+double account(const State<3>& state) {
+    double lost = 0;
+    for (const double one : state.nodes.lostVolume) lost += one;
+    return totalVolume<3>(state) + lost - state.ledger.sum(CauseKind::passage) - state.ledger[VolumeCause::compression];
+}
+
+// Plane Poiseuille flow between slippery sides: slope of the pressure and speed in the middle.
+TEST(OpeningsInSpace, poiseuilleFlowPasses) {
+    TestCase3 c = duct([](double z) { return 6 * U * z * (H - z) / (H * H); });
+    const double first = account(c.state), volume = totalVolume<3>(c.state);
+    for (int n = 0; n < 80; ++n) c.step(0.025);
+    EXPECT_NEAR(c.state.ledger[VolumeCause::inflow], 2 * U * B * H, 1e-12);
+    EXPECT_NEAR(account(c.state), first, 1e-12);
+    EXPECT_NEAR(totalVolume<3>(c.state), volume, 0.01 * volume);
+    double xx = 0, xp = 0, x1 = 0, p1 = 0, squares = 0;
+    int count = 0;
+    const auto topology = c.topology();
+    for (int i = 0; i < c.state.nodes.size(); ++i) {
+        const auto& x = c.state.nodes.x[i];
+        if (!topology.wet(i) || x[0] < 0.2 || x[0] > 0.8) continue;
+        squares += std::pow(c.state.nodes.v[i][0] - 6 * U * x[2] * (H - x[2]) / (H * H), 2);
+        xx += x[0] * x[0];
+        xp += x[0] * c.state.nodes.p[i];
+        x1 += x[0];
+        p1 += c.state.nodes.p[i];
+        ++count;
+    }
+    const double slope = (count * xp - x1 * p1) / (count * xx - x1 * x1), exact = -12 * mu * U / (H * H);
+    EXPECT_NEAR(slope, exact, 0.1 * std::abs(exact));
+    EXPECT_LT(std::sqrt(squares / count), 0.06 * 1.5 * U);
+}
+
+}  // namespace
