@@ -70,7 +70,7 @@ void perTriangle(benchmark::State& state, const TestCase& c) {
                            benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-void Triangulation(benchmark::State& state) {
+void triangulation(benchmark::State& state) {
     const TestCase& c = column(static_cast<int>(state.range(0)));
     std::vector<int> active(c.state.nodes.size());
     for (int i = 0; i < c.state.nodes.size(); ++i) active[i] = i;
@@ -78,7 +78,7 @@ void Triangulation(benchmark::State& state) {
     perTriangle(state, c);
 }
 
-void Remeshing(benchmark::State& state) {
+void remeshing(benchmark::State& state) {
     const TestCase& c = column(static_cast<int>(state.range(0)));
     Triangulator<2> triangulator;
     for (auto _ : state) {
@@ -92,39 +92,40 @@ void Remeshing(benchmark::State& state) {
     perTriangle(state, c);
 }
 
-void TopologyOfStep(benchmark::State& state) {
+void topologyOfStep(benchmark::State& state) {
     const TestCase& c = column(static_cast<int>(state.range(0)));
     for (auto _ : state) benchmark::DoNotOptimize(c.topology());
     perTriangle(state, c);
 }
 
-void PatchesOfNodes(benchmark::State& state) {
+void patchesOfNodes(benchmark::State& state) {
     StartOfStep s{column(static_cast<int>(state.range(0)))};
     for (auto _ : state) updateSmoothingDomains<2>(s.fluid, s.nodes.x);
     perTriangle(state, s.c);
 }
 
-void ViscousOperator(benchmark::State& state) {
+void viscousOperator(benchmark::State& state) {
     const StartOfStep s{column(static_cast<int>(state.range(0)))};
     const PerPoint<double> mu(s.nodes.size(), 1e-3);
-    for (auto _ : state) benchmark::DoNotOptimize(viscousForce<2>(s.fluid, mu, elementGradient<2>(s.fluid, s.nodes.v)));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(viscousForce<2>(s.fluid, mu, velocityGradients<2>(s.fluid, s.nodes.v)));
     perTriangle(state, s.c);
 }
 
-void ContinuityResidual(benchmark::State& state) {
+void continuityResidual(benchmark::State& state) {
     const StartOfStep s{column(static_cast<int>(state.range(0)))};
     for (auto _ : state)
         benchmark::DoNotOptimize(continuityResidual<2>(s.step, s.c.controls.continuity, s.phase, s.tau, s.trial));
     perTriangle(state, s.c);
 }
 
-void PressureMatrix(benchmark::State& state) {  // assembly, ordering, factor
+void pressureMatrix(benchmark::State& state) {  // assembly, ordering, factor
     const StartOfStep s{column(static_cast<int>(state.range(0)))};
     for (auto _ : state) benchmark::DoNotOptimize(s.system());
     perTriangle(state, s.c);
 }
 
-void PressureSolution(benchmark::State& state) {
+void pressureSolution(benchmark::State& state) {
     const StartOfStep s{column(static_cast<int>(state.range(0)))};
     const auto system = s.system();
     const std::vector<double> residual(s.nodes.size(), 1e-6);
@@ -165,7 +166,7 @@ std::unique_ptr<SymmetricSolver> makeSolver(int which, const Points<2>& x) {
 }
 
 /// Order, factor and one solution of a matrix with the pressure's pattern, by each solver behind the one interface.
-void DirectSolver(benchmark::State& state) {
+void directSolver(benchmark::State& state) {
     const TestCase& c = column(static_cast<int>(state.range(0)));
     const SymmetricMatrix A = laplacian(c.topology());
     const Eigen::VectorXd b = Eigen::VectorXd::Ones(A.n);
@@ -180,7 +181,7 @@ void DirectSolver(benchmark::State& state) {
     perTriangle(state, c);
 }
 
-void WritingOfState(benchmark::State& state) {
+void writingOfState(benchmark::State& state) {
     const TestCase& c = column(static_cast<int>(state.range(0)));
     const auto folder = std::filesystem::temp_directory_path() / "pfemBenchmark" / "1";
     std::filesystem::create_directories(folder.parent_path());
@@ -189,7 +190,7 @@ void WritingOfState(benchmark::State& state) {
     perTriangle(state, c);
 }
 
-void WholeStep(benchmark::State& state) {
+void wholeStep(benchmark::State& state) {
     const TestCase& start = column(static_cast<int>(state.range(0)));
     TestCase c = start;
     for (auto _ : state) c.step(0.1 * c.state.nodes.h[0]);
@@ -198,21 +199,21 @@ void WholeStep(benchmark::State& state) {
 
 #define PFEM_SIZES \
     Unit(benchmark::kMillisecond)->Arg(6000)->Arg(24000)->Arg(96000)->MeasureProcessCPUTime()->UseRealTime()
-BENCHMARK(Triangulation)->PFEM_SIZES;
-BENCHMARK(Remeshing)->PFEM_SIZES;
-BENCHMARK(TopologyOfStep)->PFEM_SIZES;
-BENCHMARK(PatchesOfNodes)->PFEM_SIZES;
-BENCHMARK(ViscousOperator)->PFEM_SIZES;
-BENCHMARK(ContinuityResidual)->PFEM_SIZES;
-BENCHMARK(PressureMatrix)->PFEM_SIZES;
-BENCHMARK(PressureSolution)->PFEM_SIZES;
-BENCHMARK(DirectSolver)
+BENCHMARK(triangulation)->PFEM_SIZES;
+BENCHMARK(remeshing)->PFEM_SIZES;
+BENCHMARK(topologyOfStep)->PFEM_SIZES;
+BENCHMARK(patchesOfNodes)->PFEM_SIZES;
+BENCHMARK(viscousOperator)->PFEM_SIZES;
+BENCHMARK(continuityResidual)->PFEM_SIZES;
+BENCHMARK(pressureMatrix)->PFEM_SIZES;
+BENCHMARK(pressureSolution)->PFEM_SIZES;
+BENCHMARK(directSolver)
     ->Unit(benchmark::kMillisecond)
     ->ArgsProduct({{6000, 24000, 96000}, {0, 1, 2, 3, 4}})
     ->MeasureProcessCPUTime()
     ->UseRealTime();
-BENCHMARK(WritingOfState)->PFEM_SIZES;
-BENCHMARK(WholeStep)->PFEM_SIZES->Iterations(20);
+BENCHMARK(writingOfState)->PFEM_SIZES;
+BENCHMARK(wholeStep)->PFEM_SIZES->Iterations(20);
 
 }  // namespace
 

@@ -43,7 +43,7 @@ std::vector<TwinCase> twinsOf(const Case& theCase, const Options& options) {
         sizes = optionValue<std::vector<double>>(options, "sizes", "a list: '(0.006 0.004)'");
     else
         sizes = options.found("noRun") ? sizesIn(theCase.root() / folder) : std::vector{meshSizeOf(theCase)};
-    const auto twins = twinCases(theCase, folder, sizes);
+    auto twins = twinCases(theCase, folder, sizes);
     if (twins.empty())
         throw UserError(fmt::format("no cases nodal-<mesh size> and elemental-<mesh size> in \"{}\"", folder));
     return twins;

@@ -33,7 +33,7 @@ Settings welcome(const Case& theCase, const RunLock& lock) {
         std::cerr << "--> PFEM Warning : the lock of a run that did not end properly is taken over ("
                   << lock.abandoned() << ")\n";
     for (const auto& done : clearUnfinished(theCase.root())) std::cerr << "--> PFEM Warning : " << done << "\n";
-    const Settings settings = currentSettings(theCase);
+    Settings settings = currentSettings(theCase);
     const std::string changes = settingChanges(theCase, settings);
     if (!changes.empty()) std::cout << "Settings that differ from those of the last run:\n" << changes << "\n";
     return settings;

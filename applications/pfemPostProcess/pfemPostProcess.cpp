@@ -35,7 +35,7 @@ std::vector<std::string> wantedNames(const Options& options) {
 
 /// `functions` of the dictionary; when a wanted name is none of them but a type, one function of that type.
 Dictionary functionsOf(const Case& theCase, const Options& options, const std::vector<std::string>& wanted) {
-    const Dictionary dict = Dictionary::read(options.get("dict", theCase.controlDict().string()));
+    Dictionary dict = Dictionary::read(options.get("dict", theCase.controlDict().string()));
     std::vector<std::string> names;
     for (const auto& entry : functionEntries(dict)) names.push_back(entry.keyword());
     const auto types = functionTypes();

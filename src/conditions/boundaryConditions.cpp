@@ -10,7 +10,7 @@ namespace {
 
 /// c_f / width of `type sideWalls`.
 double readSideFriction(const Dictionary& entry) {
-    const double width = entry.get<double>("width"), friction = entry.get<double>("friction");
+    const auto width = entry.get<double>("width"), friction = entry.get<double>("friction");
     if (!(width > 0)) entry.fatal("width", "Entry 'width' must be positive");
     if (!(friction >= 0)) entry.fatal("friction", "Entry 'friction' must not be negative");
     return friction / width;

@@ -41,7 +41,8 @@ bool isOnEdge(const Topology<Dim>& topology, const Points<Dim>& points, int wall
 /// 4 s (1 - s), s from 0 to 1 between the ends of the patch along its first face.
 template <int Dim>
 std::function<double(const Vec<Dim>&)> parabola(const std::vector<Face<Dim>>& faces, const Points<Dim>& x) {
-    const Vec<Dim> origin = x[faces[0][0]], along = (x[faces[0][1]] - origin).normalized();
+    const Vec<Dim>& origin = x[faces[0][0]];
+    const Vec<Dim> along = (x[faces[0][1]] - origin).normalized();
     double low = 0, high = 0;
     for (const auto& face : faces)
         for (const int node : face) {

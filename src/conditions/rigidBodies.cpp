@@ -79,7 +79,7 @@ void setMass(const Rigid& law, double rho, const Cells<Dim>& cells, const std::v
 template <int Dim>
 void setPose(const Vec<Dim>& reference, const Nodes<Dim>& nodes, RigidBody<Dim>& body) {
     Vec<Dim> meanX = Vec<Dim>::Zero(), mean = Vec<Dim>::Zero();
-    const double n = static_cast<double>(body.nodes.size());
+    const auto n = static_cast<double>(body.nodes.size());
     for (const int i : body.nodes) {
         meanX += nodes.X[i] / n;
         mean += nodes.x[i] / n;

@@ -21,7 +21,8 @@ struct CellTerms {
 template <int Dim>
 CellTerms<Dim> cellTerms(const Step<Dim>& step, const FluidPhase<Dim>& phase, const Stabilisation& stabilisation,
                          double tauFaces, const Trial<Dim>& trial) {
-    const auto& [tau, projected] = stabilisation;
+    const auto& tau = stabilisation.tau;
+    const auto& projected = stabilisation.projected;
     const Cells<Dim>& cells = phase.cells;
     const Vec<Dim>& gravity = step.problem.gravity;
     CellTerms<Dim> t;
@@ -57,13 +58,14 @@ void subtractProjection(const SmoothingDomains<Dim>& domains, const NodeToCells&
     Points<Dim> mean(domains.nNodes(), Vec<Dim>::Zero());
     parallelFor(domains.nNodes(), [&](int i) {
         double weight = 0;
+        Vec<Dim> sum = Vec<Dim>::Zero();
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
             const int e = around.cell[s];
             if (!projected[e]) continue;
             weight += tau[e] * domains.element[e].measure;
-            mean[i] += flux[e];
+            sum += flux[e];
         }
-        if (weight > 0) mean[i] /= weight;
+        if (weight > 0) mean[i] = sum / weight;
     });
     parallelFor(domains.nCells(), [&](int e) {
         if (!projected[e]) return;
@@ -96,9 +98,12 @@ std::vector<double> continuityResidual(const Step<Dim>& step, const ContinuityCo
                                        const Trial<Dim>& trial) {
     const bool inertia = controls.stabilisation != "bodyForce";
     const bool projection = controls.stabilisation == "projection";
-    const auto& [tau, projected] = stabilisation;
-    const auto& [cells, domains, mu] = std::tie(phase.cells, phase.domains, phase.mu);
-    const auto& [topology, middle, old] = std::tie(step.topology, trial.middle, step.old);
+    const auto& tau = stabilisation.tau;
+    const auto& projected = stabilisation.projected;
+    const Cells<Dim>& cells = phase.cells;
+    const SmoothingDomains<Dim>& domains = phase.domains;
+    const Topology<Dim>& topology = step.topology;
+    const Nodes<Dim>&middle = trial.middle, &old = step.old;
     const double dt = step.dt();
     const double tauFaces = inertia ? 0 : meanOverCells<Dim>(domains, tau);
     auto terms = cellTerms<Dim>(step, phase, stabilisation, tauFaces, trial);
@@ -108,14 +113,14 @@ std::vector<double> continuityResidual(const Step<Dim>& step, const ContinuityCo
     std::vector<double> R(middle.size(), 0.0);
 #pragma omp parallel for schedule(static) if (cells.size() > shortLoop)
     for (int i = 0; i < topology.nNodes(); ++i) {
-        double compressibility = 0;
+        double compressibility = 0, sum = 0;
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
             const int e = around.cell[s];
             compressibility += terms.compressibility[e];
-            R[i] += terms.rate[e] + terms.flux[e].dot(domains.element[e].gradN[around.corner[s]]);
+            sum += terms.rate[e] + terms.flux[e].dot(domains.element[e].gradN[around.corner[s]]);
         }
-        R[i] += compressibility * (middle.p[i] - old.p[i]) / dt;
-        if (around.count(i) > 0) R[i] -= returnRate * old.lostVolume[i];
+        sum += compressibility * (middle.p[i] - old.p[i]) / dt;
+        R[i] = around.count(i) > 0 ? sum - returnRate * old.lostVolume[i] : sum;
     }
 
     subtractChordFlux<Dim>(topology, step.constraints, trial.end, R);
@@ -135,9 +140,9 @@ std::vector<double> continuityResidual(const Step<Dim>& step, const ContinuityCo
         const double twoOverH = 2 * measure / (Dim * g.measure);
         Vec<Dim> dn = Vec<Dim>::Zero();  // L n of the cell
         for (int k = 0; k <= Dim; ++k) dn += middle.v[cells.nodes[face.cell][k]] * g.gradN[k].dot(n);
-        const double viscous = 2 * mu[face.cell] * dn.dot(n);
+        const double viscous = 2 * phase.mu[face.cell] * dn.dot(n);
         const double weight =
-            surfaceStabilisation<Dim>(tau[face.cell], mu[face.cell], g.measure, measure) * measure / Dim;
+            surfaceStabilisation<Dim>(tau[face.cell], phase.mu[face.cell], g.measure, measure) * measure / Dim;
         const auto meniscus = meniscusPressure<Dim>(step.problem, fluid.rho, topology, middle, face.nodes);
         for (int k = 0; k < Dim; ++k)
             R[face.nodes[k]] += weight * twoOverH * (middle.p[face.nodes[k]] - meniscus[k] - viscous);

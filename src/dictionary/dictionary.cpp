@@ -132,7 +132,7 @@ std::vector<Dictionary> Dictionary::dictList(const std::string& key) const {
 std::string Dictionary::choice(const std::string& key, const std::vector<std::string>& valid) const {
     TokenReader tokens = reader(key);
     const Token first = tokens.peek();
-    const std::string word = first.isNumber() ? tokens.next().text : tokens.read<std::string>();
+    std::string word = first.isNumber() ? tokens.next().text : tokens.read<std::string>();
     if (std::find(valid.begin(), valid.end(), word) == valid.end()) fatal(key, notValid(word, key, valid));
     tokens.end();
     return word;
@@ -152,7 +152,7 @@ double Dictionary::dimensioned(const std::string& key, const std::array<double, 
             fatal(key, "Dimensions " + toString(given) + " of entry '" + key + "' should be " + toString(dimensions));
         }
     }
-    const double value = tokens.read<double>();
+    const auto value = tokens.read<double>();
     tokens.end();
     return value;
 }

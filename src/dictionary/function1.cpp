@@ -148,7 +148,7 @@ void demandPlane(const Dictionary& dict, const std::string& key, double z) {
 }
 
 Function1Ptr<Eigen::Vector3d> readPlaneFunction1(const Dictionary& dict, const std::string& key) {
-    const auto function = readFunction1<Eigen::Vector3d>(dict, key);
+    auto function = readFunction1<Eigen::Vector3d>(dict, key);
     demandPlane(dict, key, function->outOfPlane());
     return function;
 }

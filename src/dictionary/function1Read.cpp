@@ -37,7 +37,7 @@ std::vector<std::string> readFormulas(TokenReader& tokens) {
     if constexpr (std::is_same_v<T, double>) {
         return {tokens.read<std::string>()};
     } else {
-        const auto formulas = tokens.read<std::vector<std::string>>();
+        auto formulas = tokens.read<std::vector<std::string>>();
         if (formulas.size() != 3) tokens.fatal("a vector needs three formulas: (\"0.1*t\" \"0\" \"0\")");
         return formulas;
     }

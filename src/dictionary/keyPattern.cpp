@@ -20,7 +20,7 @@ namespace {
 /// Nested repeats such as ((a{255}){255}){255}, or a++++++++++++++++++++ (x+ is compiled as xx*), make regcomp take all
 /// memory.
 bool tooCostly(const std::string& expression) {
-    double cost = static_cast<double>(expression.size());
+    auto cost = static_cast<double>(expression.size());
     for (std::size_t i = 0; i < expression.size(); ++i) {
         if (expression[i] == '+' && i > 0 && std::string("+*?})").find(expression[i - 1]) != std::string::npos)
             cost *= 2;

@@ -39,7 +39,7 @@ private:
 };
 
 double positive(const Dictionary& dict, const std::string& key) {
-    const double value = dict.get<double>(key);
+    const auto value = dict.get<double>(key);
     if (!(value > 0)) dict.fatal(key, "Entry '" + key + "' must be positive");
     return value;
 }

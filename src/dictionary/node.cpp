@@ -1,15 +1,17 @@
 #include "dictionary/node.hpp"
 
+#include <algorithm>
+
 namespace pfem {
 
 DictionaryEntry* DictionaryNode::find(const std::string& key, bool patterns) {
     const auto exact = index.find(key);
     if (exact != index.end()) return &entries[exact->second];
     if (!patterns) return nullptr;
-    for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry) {
-        if (entry->pattern && entry->pattern->matches(key)) return &*entry;
-    }
-    return nullptr;
+    const auto last = std::find_if(entries.rbegin(), entries.rend(), [&](const DictionaryEntry& entry) {
+        return entry.pattern && entry.pattern->matches(key);
+    });
+    return last == entries.rend() ? nullptr : &*last;
 }
 
 void DictionaryNode::add(DictionaryEntry entry) {

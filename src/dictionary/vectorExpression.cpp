@@ -21,7 +21,7 @@ public:
     VectorFormula(const std::string& text, const Location& where) : text_(text), where_(where) {}
 
     EvaluatedVector evaluate() {
-        const EvaluatedVector result = sum();
+        EvaluatedVector result = sum();
         if (peek() != '\0') fail("cannot understand it from '" + text_.substr(position_) + "' on");
         if (!result.value.allFinite()) fail("the value is not finite");
         return result;

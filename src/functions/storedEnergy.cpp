@@ -8,8 +8,9 @@
 #include "material/stressTensor.hpp"
 #include "momentum/fluidStress.hpp"
 #include "momentum/mass.hpp"
+#include "momentum/pointMotion.hpp"
+#include "momentum/solidElementStress.hpp"
 #include "momentum/solidHistory.hpp"
-#include "momentum/solidStress.hpp"
 #include "momentum/wallFriction.hpp"
 
 namespace pfem {

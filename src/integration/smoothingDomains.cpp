@@ -51,8 +51,9 @@ PerCell<Tensor<Dim>> elementGradient(const SmoothingDomains<Dim>& domains, const
     PerCell<Tensor<Dim>> L(domains.nCells());
 #pragma omp parallel for schedule(static) if (domains.nCells() > shortLoop)
     for (int e = 0; e < domains.nCells(); ++e) {
-        L[e].setZero();
-        for (int k = 0; k <= Dim; ++k) L[e] += v[domains.cell(e)[k]] * domains.element[e].gradN[k].transpose();
+        Tensor<Dim> sum = Tensor<Dim>::Zero();
+        for (int k = 0; k <= Dim; ++k) sum += v[domains.cell(e)[k]] * domains.element[e].gradN[k].transpose();
+        L[e] = sum;
     }
     return L;
 }
@@ -63,11 +64,11 @@ PerNode<Value> nodalMean(const SmoothingDomains<Dim>& domains, const PerCell<Val
     PerNode<Value> mean(domains.nNodes());
 #pragma omp parallel for schedule(static) if (domains.nCells() > shortLoop)
     for (int i = 0; i < domains.nNodes(); ++i) {
-        mean[i].setZero();
-        if (around.count(i) == 0) continue;
+        Value sum = Value::Zero();
         for (int s = around.start[i]; s < around.start[i + 1]; ++s)
-            mean[i] += domains.element[around.cell[s]].measure * field[around.cell[s]];
-        mean[i] /= (Dim + 1) * domains.volume[i];
+            sum += domains.element[around.cell[s]].measure * field[around.cell[s]];
+        if (around.count(i) > 0) sum /= (Dim + 1) * domains.volume[i];
+        mean[i] = sum;
     }
     return mean;
 }
@@ -77,9 +78,9 @@ PerCell<Value> elementMean(const SmoothingDomains<Dim>& domains, const PerNode<V
     PerCell<Value> mean(domains.nCells());
 #pragma omp parallel for schedule(static) if (domains.nCells() > shortLoop)
     for (int e = 0; e < domains.nCells(); ++e) {
-        mean[e] = nodal[domains.cell(e)[0]];
-        for (int k = 1; k <= Dim; ++k) mean[e] += nodal[domains.cell(e)[k]];
-        mean[e] /= Dim + 1;
+        Value sum = nodal[domains.cell(e)[0]];
+        for (int k = 1; k <= Dim; ++k) sum += nodal[domains.cell(e)[k]];
+        mean[e] = sum / (Dim + 1);
     }
     return mean;
 }
@@ -89,11 +90,14 @@ void addInternalForce(const SmoothingDomains<Dim>& domains, const PerCell<Tensor
     const NodeToCells& around = *domains.around;
     if (domains.nCells() == 0) return;
 #pragma omp parallel for schedule(static) if (domains.nCells() > shortLoop)
-    for (int i = 0; i < domains.nNodes(); ++i)
+    for (int i = 0; i < domains.nNodes(); ++i) {
+        Vec<Dim> sum = force[i];
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
             const auto& g = domains.element[around.cell[s]];
-            force[i] += g.measure * (stress[around.cell[s]] * g.gradN[around.corner[s]]);
+            sum += g.measure * (stress[around.cell[s]] * g.gradN[around.corner[s]]);
         }
+        force[i] = sum;
+    }
 }
 
 template <int Dim>
@@ -109,9 +113,12 @@ void addPressureForce(const SmoothingDomains<Dim>& domains, const PerNode<double
             whole[e] = domains.element[e].measure * sum / (Dim + 1);
         }
 #pragma omp for schedule(static)
-        for (int i = 0; i < domains.nNodes(); ++i)
+        for (int i = 0; i < domains.nNodes(); ++i) {
+            Vec<Dim> sum = force[i];
             for (int s = around.start[i]; s < around.start[i + 1]; ++s)
-                force[i] -= whole[around.cell[s]] * domains.element[around.cell[s]].gradN[around.corner[s]];
+                sum -= whole[around.cell[s]] * domains.element[around.cell[s]].gradN[around.corner[s]];
+            force[i] = sum;
+        }
     }
 }
 

@@ -66,4 +66,18 @@ void addPressureForce(const SmoothingDomains<Dim>& domains, const PerNode<double
 template <int Dim, class Value>
 PerCell<Value> elementMean(const SmoothingDomains<Dim>& domains, const PerNode<Value>& nodal);
 
+/// The gradients of a velocity in the elements, and their means at the nodes.
+template <int Dim>
+struct VelocityGradients {
+    PerCell<Tensor<Dim>> element;
+    PerNode<Tensor<Dim>> nodal;
+};
+
+template <int Dim>
+VelocityGradients<Dim> velocityGradients(const SmoothingDomains<Dim>& domains, const Points<Dim>& v) {
+    auto element = elementGradient<Dim>(domains, v);
+    auto nodal = nodalMean<Dim>(domains, element);
+    return {std::move(element), std::move(nodal)};
+}
+
 }  // namespace pfem

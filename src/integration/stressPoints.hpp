@@ -72,6 +72,12 @@ PerCell<Value> fromPoints(const SmoothingDomains<Dim>& domains, PerPoint<Value> 
     return elementMean<Dim>(domains, point.values());
 }
 
+/// The velocity's gradient at point p.
+template <int Dim>
+const Tensor<Dim>& atPoint(const SmoothingDomains<Dim>& domains, const VelocityGradients<Dim>& L, int p) {
+    return domains.scheme == Integration::nodal ? L.nodal[p] : L.element[p];
+}
+
 /// What is stored, as a field on the points. `cell` is empty in states of a nodal run: then the means of the nodes.
 template <int Dim, class Value>
 PerPoint<Value> storedAtPoints(const SmoothingDomains<Dim>& domains, const PerNode<Value>& nodal,

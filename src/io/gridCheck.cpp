@@ -111,7 +111,7 @@ std::uint64_t unpackedBytes(const char* head) {
 /// What is wrong with one tag `<...` and, of an array, with its data; `base`: where the data begin.
 Damage damageOfTag(const std::string& file, std::string tag, std::uint64_t base, Context& context) {
     if (tag.ends_with("/")) tag.back() = ' ';
-    const std::string name = tag.substr(1, tag.find_first_of(" \n\t", 1) - 1);
+    std::string name = tag.substr(1, tag.find_first_of(" \n\t", 1) - 1);
     if (!isOneOf(name, elements)) return {"unknown element", 0, true};
     context.enter(name, tag);
     const std::string array = fmt::format("array '{}' ", attribute(tag, "Name").value_or("without name"));
@@ -163,7 +163,7 @@ std::string brokenArray(const std::string& file, const Unpack& unpack, bool only
         const std::string tag = file.substr(begin, file.find('>', begin) - begin);
         const bool ofStrings = attribute(tag, "type") == "String";
         if (attribute(tag, "format") != "appended" || (onlyStrings && !ofStrings)) continue;
-        const std::string name = attribute(tag, "Name").value_or("without name");
+        std::string name = attribute(tag, "Name").value_or("without name");
         const char* head = &file[base + *wholeNumber(*attribute(tag, "offset"))];
         const std::uint64_t blocks = wordAt(head), size = blocks > 0 ? wordAt(head + 8) : 0,
                             last = blocks > 0 ? wordAt(head + 16) : 0;

@@ -170,7 +170,7 @@ vtkSmartPointer<vtkUnstructuredGrid> readGrid(const std::filesystem::path& file)
         throw UserError("cannot find file \"" + file.string() + "\"", {file.string(), 0});
     if (const auto array = whereBroken(file, true); !array.empty())  // too many strings: VTK writes behind its memory
         fail("cannot read", file, array + "truncated or corrupt");
-    const auto grid = readData<vtkUnstructuredGrid>(file, vtkNew<vtkXMLUnstructuredGridReader>());
+    auto grid = readData<vtkUnstructuredGrid>(file, vtkNew<vtkXMLUnstructuredGridReader>());
     if (vtkCellArray* cells = grid->GetCells(); cells != nullptr)
         if (!cells->IsValid() || cells->GetNumberOfCells() != grid->GetNumberOfCells() ||
             (grid->GetNumberOfCells() > 0 &&

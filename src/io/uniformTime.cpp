@@ -31,7 +31,7 @@ std::string entry(const std::string& name, double value) {
 }
 
 double readFinite(const Dictionary& dict, const std::string& key) {
-    const double value = dict.get<double>(key);
+    const auto value = dict.get<double>(key);
     if (!std::isfinite(value)) dict.fatal(key, "'" + key + "' is not a finite number");
     return value;
 }

@@ -65,7 +65,7 @@ std::vector<RigidRestraint> readRigidRestraints(const Dictionary& all) {
 }
 
 Rigid readRigid(const Dictionary& entry) {
-    Rigid rigid = readLaw<Rigid>(entry);
+    auto rigid = readLaw<Rigid>(entry);
     rigid.constraints = readRigidConstraints(entry.subDictOrEmpty("constraints"));
     rigid.restraints = readRigidRestraints(entry.subDictOrEmpty("restraints"));
     return rigid;

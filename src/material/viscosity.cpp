@@ -10,14 +10,7 @@ double shearRate(const Tensor<Dim>& L) {
     return std::sqrt(std::max(2 * (d.squaredNorm() - d.trace() * d.trace() / 3), 0.0));
 }
 
-template <int Dim>
-Tensor<Dim> viscousStress(double mu, const Tensor<Dim>& L) {
-    return mu * (L + L.transpose()) - (2 * mu / 3) * L.trace() * Tensor<Dim>::Identity();
-}
-
 template double shearRate<2>(const Tensor<2>&);
 template double shearRate<3>(const Tensor<3>&);
-template Tensor<2> viscousStress<2>(double, const Tensor<2>&);
-template Tensor<3> viscousStress<3>(double, const Tensor<3>&);
 
 }  // namespace pfem

@@ -11,6 +11,8 @@ double shearRate(const Tensor<Dim>& L);
 
 /// s = 2 mu (d - tr(d)/3 I), in the plane.
 template <int Dim>
-Tensor<Dim> viscousStress(double mu, const Tensor<Dim>& L);
+Tensor<Dim> viscousStress(double mu, const Tensor<Dim>& L) {
+    return mu * (L + L.transpose()) - (2 * mu / 3) * L.trace() * Tensor<Dim>::Identity();
+}
 
 }  // namespace pfem

@@ -11,7 +11,7 @@ namespace pfem {
 
 namespace {
 
-std::string pointList(Points<2> points) {
+std::string pointList(const Points<2>& points) {
     std::string text = "(";
     for (const auto& x : points) text += fmt::format("{}({:g} {:g})", text.size() > 1 ? " " : "", x.x(), x.y());
     return text + ")";

@@ -88,7 +88,8 @@ Divided divideOutlines(const MeshDescription& description, double tolerance, std
     const Simplified simplified = simplify(whole.arrangement, description, whole.size);
     Divided simple(description, simplified.arrangement);
     const bool taken = simplified.changed() && !crosses(simple.boundary);
-    Divided result = taken ? std::move(simple) : whole;
+    Divided result = whole;
+    if (taken) result = std::move(simple);
     checkSpikes(description, result.arrangement, result.boundary);
     if (taken)
         for (auto& text : leftOutPoints(description, whole.arrangement, simplified.leftOut)) warnings.push_back(text);

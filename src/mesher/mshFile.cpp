@@ -19,7 +19,7 @@ enum ElementType { line = 1, triangle = 2, quadrangle = 3, tetrahedron = 4, poin
 template <int Dim>
 class MshReader {
 public:
-    MshReader(MshLines lines, std::string file) : lines_(std::move(lines)) { mesh_.file = std::move(file); }
+    MshReader(MshLines lines, const std::string& file) : lines_(std::move(lines)) { mesh_.file = file; }
 
     /// Whatever the order of the sections; those that are not needed are stepped over.
     ForeignMeshOf<Dim> read() {

@@ -55,7 +55,7 @@ public:
     int number() const { return numbered_ ? place_.number : 0; }
 
     double real(std::size_t i) const {
-        const double value = parse<double>(i);
+        const auto value = parse<double>(i);
         if (!std::isfinite(value)) fail(fmt::format("'{}' is not a finite number", word(i)));
         return value;
     }

@@ -42,7 +42,7 @@ void readVelocity(const Dictionary& dict, Nature<Dim>& body) {
                    fmt::format("A velocity needs a formula for each component: expression (\"-2*y\" \"2*x\"{})",
                                Dim == 2 ? "" : " \"0\""));
     std::vector<std::string> names{"x", "y"};
-    if (Dim == 3) names.push_back("z");
+    if (Dim == 3) names.emplace_back("z");
     std::vector<std::shared_ptr<Expression>> u;
     for (const auto& formula : formulas)
         u.push_back(std::make_shared<Expression>(formula, names, dict.where("velocity")));

@@ -59,7 +59,7 @@ Body readBody(const Dictionary& dict, const std::vector<std::string>& materials)
     body.holes = dict.get<std::vector<std::string>>("holes", {});
     const Dictionary patches = dict.subDictOrEmpty("patches");
     for (const auto& name : patches.keys()) {
-        const Dictionary patch = patches.subDict(name);
+        const Dictionary& patch = patches.subDict(name);
         for (const auto& pair : patch.get<std::vector<std::vector<int>>>("edges")) {
             if (pair.size() != 2) patch.fatal("edges", "An edge is named by its two vertices: edges ((3 0));");
             body.patches[name].push_back({pair[0], pair[1]});

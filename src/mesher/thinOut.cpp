@@ -73,7 +73,7 @@ std::vector<bool> thinOut(const Points<2>& x, const std::vector<double>& h) {
         from = std::max(to, from + 1);
     }
     const auto forEachGap = [&](const auto& f) {
-        const std::vector<bool> ends = kept;
+        const std::vector<bool> ends = kept;  // NOLINT(performance-unnecessary-copy-initialization): f changes `kept`
         for (std::size_t from = 0, to = 1; to < x.size(); ++to) {
             if (!ends[to]) continue;
             if (to > from + 1) f(from, to);

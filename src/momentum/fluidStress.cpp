@@ -51,13 +51,10 @@ FlowViscosity<Dim> flowViscosity(const Problem<Dim>& problem, const Cells<Dim>& 
     return result;
 }
 
-namespace {
-
-/// fluidTangentStress() for velocities with these gradients.
 template <int Dim>
-PerCell<Tensor<Dim>> tangentStress(const SmoothingDomains<Dim>& domains, const FlowViscosity<Dim>& viscosity,
-                                   PerCell<Tensor<Dim>> gradient, const PerPoint<double>& bulk) {
-    auto stress = toPoints<Dim>(domains, std::move(gradient));
+PerCell<Tensor<Dim>> fluidTangentStress(const SmoothingDomains<Dim>& domains, const FlowViscosity<Dim>& viscosity,
+                                        const Points<Dim>& dv, const PerPoint<double>& bulk) {
+    auto stress = toPoints<Dim>(domains, elementGradient<Dim>(domains, dv));
 #pragma omp parallel for schedule(static) if (domains.nCells() > shortLoop)
     for (int p = 0; p < nStressPoints<Dim>(domains); ++p) {
         const Tensor<Dim> L = stress[p];
@@ -72,18 +69,14 @@ PerCell<Tensor<Dim>> tangentStress(const SmoothingDomains<Dim>& domains, const F
     return fromPoints<Dim>(domains, std::move(stress));
 }
 
-}  // namespace
-
 template <int Dim>
-PerCell<Tensor<Dim>> fluidTangentStress(const SmoothingDomains<Dim>& domains, const FlowViscosity<Dim>& viscosity,
-                                        const Points<Dim>& dv, const PerPoint<double>& bulk) {
-    return tangentStress<Dim>(domains, viscosity, elementGradient<Dim>(domains, dv), bulk);
-}
-
-template <int Dim>
-Points<Dim> viscousForce(const SmoothingDomains<Dim>& domains, const PerPoint<double>& mu, PerCell<Tensor<Dim>> L) {
+Points<Dim> viscousForce(const SmoothingDomains<Dim>& domains, const PerPoint<double>& mu,
+                         const VelocityGradients<Dim>& L) {
+    PerPoint<Tensor<Dim>> stress(nStressPoints<Dim>(domains));
+    parallelFor(nStressPoints<Dim>(domains),
+                [&](int p) { stress[p] = viscousStress<Dim>(mu[p], atPoint<Dim>(domains, L, p)); });
     Points<Dim> force(domains.nNodes(), Vec<Dim>::Zero());
-    addInternalForce<Dim>(domains, tangentStress<Dim>(domains, {mu, {}, {}}, std::move(L), {}), force);
+    addInternalForce<Dim>(domains, fromPoints<Dim>(domains, std::move(stress)), force);
     return force;
 }
 
@@ -99,30 +92,31 @@ PerPoint<double> tangentViscosity(const FlowViscosity<Dim>& viscosity) {
 
 template <int Dim>
 Points<Dim> zigzagForce(const Problem<Dim>& problem, const Cells<Dim>& cells, const SmoothingDomains<Dim>& domains,
-                        double damping, const PerNode<double>& h, PerCell<Tensor<Dim>> L) {
+                        double damping, const PerNode<double>& h, const VelocityGradients<Dim>& L) {
     Points<Dim> force(domains.nNodes(), Vec<Dim>::Zero());
     const double g = problem.gravity.norm();
     if (damping == 0 || g == 0 || domains.nCells() == 0) return force;
-    const auto mean = elementMean<Dim>(domains, nodalMean<Dim>(domains, L));
+    auto stress = elementMean<Dim>(domains, L.nodal);
     parallelFor(domains.nCells(), [&](int e) {
         const double size = cellMean<Dim>(domains, h, e);
         const double mu = damping * problem.fluid(cells.material[e]).rho * size * std::sqrt(g * size);
-        const Tensor<Dim> zigzag = L[e] - mean[e];
-        L[e] = sliverFactor<Dim>(domains.element[e]) * mu * (zigzag + zigzag.transpose());
+        const Tensor<Dim> zigzag = L.element[e] - stress[e];
+        stress[e] = sliverFactor<Dim>(domains.element[e]) * mu * (zigzag + zigzag.transpose());
     });
-    addInternalForce<Dim>(domains, L, force);
+    addInternalForce<Dim>(domains, stress, force);
     return force;
 }
 
-#define PFEM_INSTANTIATE(D)                                                                                      \
-    template Points<D> zigzagForce<D>(const Problem<D>&, const Cells<D>&, const SmoothingDomains<D>&, double,    \
-                                      const PerNode<double>&, PerCell<Tensor<D>>);                               \
-    template bool isNewtonian<D>(const Problem<D>&);                                                             \
-    template PerPoint<double> tangentViscosity<D>(const FlowViscosity<D>&);                                      \
-    template FlowViscosity<D> flowViscosity<D>(const Problem<D>&, const Cells<D>&, const SmoothingDomains<D>&,   \
-                                               const Points<D>&, const PerNode<double>&);                        \
-    template Points<D> viscousForce<D>(const SmoothingDomains<D>&, const PerPoint<double>&, PerCell<Tensor<D>>); \
-    template PerCell<Tensor<D>> fluidTangentStress<D>(const SmoothingDomains<D>&, const FlowViscosity<D>&,       \
+#define PFEM_INSTANTIATE(D)                                                                                    \
+    template Points<D> zigzagForce<D>(const Problem<D>&, const Cells<D>&, const SmoothingDomains<D>&, double,  \
+                                      const PerNode<double>&, const VelocityGradients<D>&);                    \
+    template bool isNewtonian<D>(const Problem<D>&);                                                           \
+    template PerPoint<double> tangentViscosity<D>(const FlowViscosity<D>&);                                    \
+    template FlowViscosity<D> flowViscosity<D>(const Problem<D>&, const Cells<D>&, const SmoothingDomains<D>&, \
+                                               const Points<D>&, const PerNode<double>&);                      \
+    template Points<D> viscousForce<D>(const SmoothingDomains<D>&, const PerPoint<double>&,                    \
+                                       const VelocityGradients<D>&);                                           \
+    template PerCell<Tensor<D>> fluidTangentStress<D>(const SmoothingDomains<D>&, const FlowViscosity<D>&,     \
                                                       const Points<D>&, const PerPoint<double>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)

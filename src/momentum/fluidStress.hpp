@@ -27,10 +27,11 @@ FlowViscosity<Dim> flowViscosity(const Problem<Dim>& problem, const Cells<Dim>& 
 template <int Dim>
 PerPoint<double> tangentViscosity(const FlowViscosity<Dim>& viscosity);
 
-/// Nodal force of the points' viscous stress sigma = 2 mu d', d' = d - tr(d)/3 I, d of the cells' gradients L
+/// Nodal force of the points' viscous stress sigma = 2 mu d', d' = d - tr(d)/3 I, d of the velocity's gradients L
 /// [N/m (2D), N].
 template <int Dim>
-Points<Dim> viscousForce(const SmoothingDomains<Dim>& domains, const PerPoint<double>& mu, PerCell<Tensor<Dim>> L);
+Points<Dim> viscousForce(const SmoothingDomains<Dim>& domains, const PerPoint<double>& mu,
+                         const VelocityGradients<Dim>& L);
 
 /// Element stress with the force of the change of that stress with dv, plus `bulk` * tr(d) I per stress point (empty:
 /// none): the operator of the momentum matrix (42)-(43). With a viscosity that depends on the flow: 2 mu dd' +
@@ -41,11 +42,11 @@ PerCell<Tensor<Dim>> fluidTangentStress(const SmoothingDomains<Dim>& domains, co
 
 /// Force of a viscosity mu_z = damping rho h sqrt(g h) that acts on velocities which alternate from node to node, and
 /// on nothing else:
-///     s_e = mu_z (D + D^T),   D = L_e less the mean of L_I over its nodes; L_e: `L`, the velocity's gradients.
+///     s_e = mu_z (D + D^T),   D = L_e less the mean of L_I over its nodes; `L`: the velocity's gradients.
 /// Zero for linear velocities; it only takes energy. A wave of length l loses by some damping sqrt(g/h) (h/l)^4: short
 /// ones die, long ones do not notice it.
 template <int Dim>
 Points<Dim> zigzagForce(const Problem<Dim>& problem, const Cells<Dim>& cells, const SmoothingDomains<Dim>& domains,
-                        double damping, const PerNode<double>& h, PerCell<Tensor<Dim>> L);
+                        double damping, const PerNode<double>& h, const VelocityGradients<Dim>& L);
 
 }  // namespace pfem

@@ -173,31 +173,32 @@ void MomentumSystem<Dim>::scatter(const Eigen::VectorXd& u, Points<Dim>& r) cons
 }
 
 template <int Dim>
-Points<Dim> MomentumSystem<Dim>::restricted(const Points<Dim>& r) const {
-    Points<Dim> result(r.size(), Vec<Dim>::Zero());
+Points<Dim> MomentumSystem<Dim>::restricted(Points<Dim> r) const {
     parallelFor(static_cast<int>(r.size()), [&](int i) {
-        if (diagonal_[i] > 0 || solid_.dofs.local[i] >= 0) result[i] = constraints_.project(i, r[i]);
+        const bool moves = diagonal_[i] > 0 || solid_.dofs.local[i] >= 0;
+        r[i] = moves ? constraints_.project(i, r[i]) : Vec<Dim>(Vec<Dim>::Zero());
     });
-    return result;
+    return r;
 }
 
 template <int Dim>
 Points<Dim> MomentumSystem<Dim>::apply(const Points<Dim>& u) const {
-    Points<Dim> y(u.size(), Vec<Dim>::Zero());
-    for (std::size_t i = 0; i < u.size(); ++i) y[i] = inertia_[i].cwiseProduct(u[i]);
+    Points<Dim> y(u.size());
+    parallelFor(static_cast<int>(u.size()), [&](int i) { y[i] = inertia_[i].cwiseProduct(u[i]); });
     if (viscous_)
         addInternalForce<Dim>(fluid_.domains, fluidTangentStress<Dim>(fluid_.domains, fluid_.viscosity, u, bulk_), y);
     if (solid_.dofs.n > 0) scatter(solid_.matrix.multiply(gather(u)), y);
-    return restricted(y);
+    return restricted(std::move(y));
 }
 
 template <int Dim>
 Points<Dim> MomentumSystem<Dim>::precondition(const Points<Dim>& r) const {
-    Points<Dim> z(r.size(), Vec<Dim>::Zero());
+    Points<Dim> z(r.size());
     // projected again: the round-off of a large wall reaction must not become a direction
     parallelFor(static_cast<int>(r.size()), [&](int i) {
-        if (diagonal_[i] > 0)
-            z[i] = constraints_.project(i, r[i]).cwiseQuotient(inertia_[i] + Vec<Dim>::Constant(viscousDiagonal_[i]));
+        const Vec<Dim> diagonal = inertia_[i] + Vec<Dim>::Constant(viscousDiagonal_[i]);
+        z[i].setZero();
+        if (diagonal_[i] > 0) z[i] = constraints_.project(i, r[i]).cwiseQuotient(diagonal);
     });
     if (solid_.dofs.n > 0) scatter(factor_->solve(gather(r)), z);
     return z;
@@ -205,9 +206,9 @@ Points<Dim> MomentumSystem<Dim>::precondition(const Points<Dim>& r) const {
 
 template <int Dim>
 Points<Dim> MomentumSystem<Dim>::solve(const Points<Dim>& residual) {
-    Points<Dim> r = residual;
-    parallelFor(static_cast<int>(r.size()), [&](int i) { r[i] = -r[i]; });
-    r = restricted(r);
+    Points<Dim> r(residual.size());
+    parallelFor(static_cast<int>(r.size()), [&](int i) { r[i] = -residual[i]; });
+    r = restricted(std::move(r));
     iterations_ = 1;
     if (!viscous_) return precondition(r);  // the diagonal will do
 

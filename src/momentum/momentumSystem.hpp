@@ -51,7 +51,7 @@ public:
 private:
     Points<Dim> apply(const Points<Dim>& u) const;
     Points<Dim> precondition(const Points<Dim>& r) const;
-    Points<Dim> restricted(const Points<Dim>& r) const;
+    Points<Dim> restricted(Points<Dim> r) const;
     Eigen::VectorXd gather(const Points<Dim>& r) const;
     void scatter(const Eigen::VectorXd& u, Points<Dim>& r) const;
 

@@ -42,9 +42,9 @@ Points<Dim> externalForce(const Mesh<Dim>& mesh, const Topology<Dim>& topology, 
 
 template <int Dim>
 Points<Dim> viscousForces(const FluidPhase<Dim>& fluid, double waveDamping, const Nodes<Dim>& nodes) {
-    auto L = elementGradient<Dim>(fluid.domains, nodes.v);
+    const auto L = velocityGradients<Dim>(fluid.domains, nodes.v);
     auto force = viscousForce<Dim>(fluid.domains, fluid.viscosity.mu, L);
-    const auto zigzag = zigzagForce<Dim>(fluid.problem, fluid.cells, fluid.domains, waveDamping, nodes.h, std::move(L));
+    const auto zigzag = zigzagForce<Dim>(fluid.problem, fluid.cells, fluid.domains, waveDamping, nodes.h, L);
     parallelFor(nodes.size(), [&](int i) { force[i] += zigzag[i]; });
     return force;
 }

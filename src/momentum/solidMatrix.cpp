@@ -5,7 +5,7 @@
 
 #include "integration/gradientRow.hpp"
 #include "material/rigid.hpp"
-#include "momentum/solidStress.hpp"
+#include "momentum/solidElementStress.hpp"
 
 namespace pfem {
 

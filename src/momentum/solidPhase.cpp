@@ -1,6 +1,7 @@
 #include "momentum/solidPhase.hpp"
 
 #include "momentum/mass.hpp"
+#include "momentum/pointMotion.hpp"
 
 namespace pfem {
 
@@ -15,6 +16,7 @@ SolidPhase<Dim>::SolidPhase(const Problem<Dim>& problem, const SolidControls& co
 
 template <int Dim>
 void SolidPhase<Dim>::moveTo(const Nodes<Dim>& old, const Nodes<Dim>& end, double dt) {
+    if (domains.nCells() == 0) return;
     updateSmoothingDomains<Dim>(domains, end.x);
     updateGradientDomains<Dim>(solids.problem, solids.cells, old, end, gradients);
     stress = solidStress<Dim>(solids, gradients, old, end, dt);

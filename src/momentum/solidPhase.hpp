@@ -1,7 +1,7 @@
 #pragma once
 // The solids of an iterate: domains, mass, stress.
 
-#include "momentum/solidStress.hpp"
+#include "momentum/solidElementStress.hpp"
 #include "momentum/trial.hpp"
 
 namespace pfem {

@@ -1,8 +1,7 @@
 #pragma once
-// Stress of the solid's stress points at the end of the step (36)-(39), and the zig-zag damper.
+// Stress of the solid's stress points at the end of the step (36)-(39).
 
 #include "conditions/problem.hpp"
-#include "integration/midpointRule.hpp"
 #include "integration/stressPoints.hpp"
 #include "momentum/solids.hpp"
 
@@ -12,12 +11,6 @@ namespace pfem {
 template <int Dim>
 const Solid& solidMaterial(const Problem<Dim>& problem, const Cells<Dim>& cells, const SmoothingDomains<Dim>& domains,
                            int point);
-
-/// The domains at the positions whose gradients the cells' laws take (Kinematics): (x^n + x)/2, x or X. Cells of laws
-/// of different kinds have different ones.
-template <int Dim>
-void updateGradientDomains(const Problem<Dim>& problem, const Cells<Dim>& cells, const Nodes<Dim>& old,
-                           const Nodes<Dim>& trial, SmoothingDomains<Dim>& domains);
 
 /// Omega_I(x) / Omega_I of the domains: how much the volume of each node has grown; 1 outside the material. The nodal
 /// volume is the sum of its cells', so a node may have J > 0 beside an inverted cell.
@@ -42,26 +35,5 @@ struct SolidStress {
 template <int Dim>
 SolidStress<Dim> solidStress(const Solids<Dim>& solids, const SmoothingDomains<Dim>& domains, const Nodes<Dim>& old,
                              const Nodes<Dim>& trial, double dt);
-
-/// Element stress that makes the nodal force from the points' stress (fromPoints) and the pressure, plus the damper's
-/// tau_s C : (d_e - fromPoints(d)_e), which vanishes for linear velocity fields and for elemental integration.
-///   domains: updateGradientDomains;  end: at trial.x
-template <int Dim>
-PerCell<Tensor<Dim>> solidElementStress(const Solids<Dim>& solids, const SmoothingDomains<Dim>& domains,
-                                        const SmoothingDomains<Dim>& end, const SolidStress<Dim>& stress,
-                                        const Nodes<Dim>& trial);
-
-/// The same for a state as it is stored, with the domains at its positions.
-template <int Dim>
-PerCell<Tensor<Dim>> storedElementStress(const Solids<Dim>& solids, const SmoothingDomains<Dim>& domains,
-                                         const Nodes<Dim>& nodes);
-
-/// Store the accepted stress at nodes and, elemental, in cells: sigma = s - p I; see storeFromPoints.
-template <int Dim>
-void storeSolidStress(const SmoothingDomains<Dim>& domains, SolidStress<Dim> stress, PerNode<Stress<Dim>>& nodal,
-                      std::vector<Stress<Dim>>& cell);
-
-/// tau_s = alpha h sqrt(rho/E) [s].
-double dampingTime(const Solid& material, double alpha, double h);
 
 }  // namespace pfem

@@ -74,14 +74,18 @@ Vec<Dim> depthGradient(const Problem<Dim>& problem, const Nodes<Dim>& nodes, dou
     return fluid->fluid.rho * problem.gravity;
 }
 
-/// p + gradient . x of the wet nodes; others keep p.
+/// p + gradient . x of a wet node; others keep p.
 template <int Dim>
-std::vector<double> withDepth(const Vec<Dim>& gradient, const Topology<Dim>& topology, const Points<Dim>& x,
-                              std::vector<double> p) {
+double withDepth(const Vec<Dim>& gradient, const Topology<Dim>& topology, const Points<Dim>& x, double p, int i) {
+    return topology.wet(i) ? p + gradient.dot(x[i]) : p;
+}
+
+/// The pressure of the trial from its excess.
+template <int Dim>
+void followDepth(const Topology<Dim>& topology, Trial<Dim>& trial) {
     parallelFor(topology.nNodes(), [&](int i) {
-        if (topology.wet(i)) p[i] += gradient.dot(x[i]);
+        trial.middle.p[i] = trial.end.p[i] = withDepth<Dim>(trial.depth, topology, trial.middle.x, trial.excess[i], i);
     });
-    return p;
 }
 
 }  // namespace
@@ -89,7 +93,7 @@ std::vector<double> withDepth(const Vec<Dim>& gradient, const Topology<Dim>& top
 template <int Dim>
 void setExcess(const Step<Dim>& step, std::vector<double> excess, Trial<Dim>& trial) {
     trial.excess = std::move(excess);
-    trial.middle.p = trial.end.p = withDepth<Dim>(trial.depth, step.topology, trial.middle.x, trial.excess);
+    followDepth<Dim>(step.topology, trial);
 }
 
 template <int Dim>
@@ -100,7 +104,10 @@ Trial<Dim> firstTrial(const Step<Dim>& step) {
     moveEnd(step, trial.end);
     moveBodies(step, trial);
     moveMiddle(step, trial);
-    setExcess(step, withDepth<Dim>(-trial.depth, step.topology, old.x, old.p), trial);
+    trial.excess.resize(old.p.size());
+    parallelFor(old.size(),
+                [&](int i) { trial.excess[i] = withDepth<Dim>(-trial.depth, step.topology, old.x, old.p[i], i); });
+    followDepth<Dim>(step.topology, trial);
     return trial;
 }
 
@@ -116,7 +123,7 @@ void changeVelocity(const Step<Dim>& step, double part, const Points<Dim>& dv, T
     moveEnd(step, trial.end);
     moveBodies(step, trial);
     moveMiddle(step, trial);
-    setExcess(step, std::move(trial.excess), trial);
+    followDepth<Dim>(step.topology, trial);
 }
 
 #define PFEM_INSTANTIATE(D)                                                               \

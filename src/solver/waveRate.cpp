@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/parallel.hpp"
+
 namespace pfem {
 
 namespace {
@@ -20,8 +22,10 @@ double leastSize(const Nodes<Dim>& nodes, const Simplex<Dim>& cell) {
 
 template <int Dim>
 double gravityWaveRate(const Problem<Dim>& problem, const State<Dim>& state) {
+    const int n = state.mesh.fluid.size();
     double h = std::numeric_limits<double>::infinity();
-    for (const auto& cell : state.mesh.fluid.nodes) h = std::min(h, leastSize<Dim>(state.nodes, cell));
+#pragma omp parallel for schedule(static) reduction(min : h) if (n > shortLoop)
+    for (int e = 0; e < n; ++e) h = std::min(h, leastSize<Dim>(state.nodes, state.mesh.fluid.nodes[e]));
     return std::sqrt(problemAt<Dim>(state.time.value, problem).gravity.norm() / h);
 }
 

@@ -18,6 +18,10 @@ Arrivals<Dim>::Arrivals(double distance, const Topology<Dim>& topology, const Po
     : distance_(distance), topology_(topology), xOld_(xOld), nodes_(nodes), bins_(topology.walls, nodes.x, xOld) {
     for (int i = 0; i < topology.nNodes(); ++i)
         if (topology.wallPoint[i]) travel_ = std::max(travel_, (nodes.x[i] - xOld[i]).norm());
+    for (const auto& wall : topology.walls) {
+        normal_.push_back(inwardNormal<Dim>(nodes.x, wall.nodes));
+        normalOld_.push_back(inwardNormal<Dim>(xOld, wall.nodes));
+    }
 }
 
 template <int Dim>
@@ -39,9 +43,9 @@ template <int Dim>
 Arrival Arrivals<Dim>::at(int i, int wall) const {
     const Face<Dim>& face = topology_.walls[wall].nodes;
     const Vec<Dim>&x = nodes_.x[i], &old = xOld_[i];
-    const double h = nodes_.h[i], after = inwardNormal<Dim>(nodes_.x, face).dot(x - nodes_.x[face[0]]);
+    const double h = nodes_.h[i], after = normal_[wall].dot(x - nodes_.x[face[0]]);
     if (after > distance_ * h) return {};
-    const double before = inwardNormal<Dim>(xOld_, face).dot(old - xOld_[face[0]]);
+    const double before = normalOld_[wall].dot(old - xOld_[face[0]]);
     if (before < -1e-9 * h || after >= before) return {};  // was behind, or leaves
     constexpr double roundOff = 1e-6;                      // of h, where faces meet
     const double part = after < 0 ? std::max(0.0, before / (before - after)) : 1;

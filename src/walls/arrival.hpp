@@ -36,7 +36,8 @@ private:
     const Points<Dim>& xOld_;
     const Nodes<Dim>& nodes_;
     WallBins<Dim> bins_;
-    double travel_ = 0;  // the longest way of a wall's point [m]
+    Points<Dim> normal_, normalOld_;  // of the walls, into the fluid
+    double travel_ = 0;               // the longest way of a wall's point [m]
 };
 
 /// Is a node on a wall that is joined with this one?

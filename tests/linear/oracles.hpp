@@ -44,7 +44,7 @@ public:
         rhs.x = const_cast<double*>(b.data());
         rhs.xtype = CHOLMOD_REAL;
         cholmod_dense* x = cholmod_solve(CHOLMOD_A, factor_, &rhs, &common_);
-        const Eigen::VectorXd solution = Eigen::Map<Eigen::VectorXd>(static_cast<double*>(x->x), b.size());
+        Eigen::VectorXd solution = Eigen::Map<Eigen::VectorXd>(static_cast<double*>(x->x), b.size());
         cholmod_free_dense(&x, &common_);
         return solution;
     }

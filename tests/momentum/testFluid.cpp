@@ -100,8 +100,8 @@ TYPED_TEST(ViscousOperator, isTheDerivativeOfItsResidual) {
         plus[i] += eps * w[i];
         minus[i] -= eps * w[i];
     }
-    const auto a = viscousForce<Dim>(f.patches, f.viscosities(), elementGradient<Dim>(f.patches, plus));
-    const auto b = viscousForce<Dim>(f.patches, f.viscosities(), elementGradient<Dim>(f.patches, minus));
+    const auto a = viscousForce<Dim>(f.patches, f.viscosities(), velocityGradients<Dim>(f.patches, plus));
+    const auto b = viscousForce<Dim>(f.patches, f.viscosities(), velocityGradients<Dim>(f.patches, minus));
     const auto exact = f.viscous(w);
     for (int i = 0; i < f.n; ++i) EXPECT_LT(((a[i] - b[i]) / (2 * eps) - exact[i]).norm(), 1e-9);
     EXPECT_GT(largest(exact), 1.0);
@@ -125,7 +125,7 @@ TYPED_TEST(ViscousOperator, ofAFluidWithYieldStressIsTheDerivative) {
         const auto forceAt = [&](const Points<Dim>& u) {
             return viscousForce<Dim>(f.patches,
                                      flowViscosity<Dim>(f.c.problem, cells, f.patches, u, f.c.state.nodes.p).mu,
-                                     elementGradient<Dim>(f.patches, u));
+                                     velocityGradients<Dim>(f.patches, u));
         };
         const auto a = forceAt(plus), b = forceAt(minus);
         const auto exact = f.force(fluidTangentStress<Dim>(
@@ -191,7 +191,7 @@ TYPED_TEST(ZigzagForce, takesEnergyFromWhatAlternates) {
             makeSmoothingDomains<Dim>(c.state.mesh.fluid.nodes, topology.fluid, c.state.nodes.x, scheme);
         const auto force = [&](const Points<Dim>& v) {
             return zigzagForce<Dim>(c.problem, c.state.mesh.fluid, patches, 0.01, c.state.nodes.h,
-                                    elementGradient<Dim>(patches, v));
+                                    velocityGradients<Dim>(patches, v));
         };
         Points<Dim> linear(n);
         for (int i = 0; i < n; ++i) {

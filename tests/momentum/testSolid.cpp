@@ -4,8 +4,9 @@
 
 #include "functions/storedEnergy.hpp"
 #include "momentum/mass.hpp"
+#include "momentum/pointMotion.hpp"
+#include "momentum/solidElementStress.hpp"
 #include "momentum/solidMatrix.hpp"
-#include "momentum/solidStress.hpp"
 #include "momentum/surfaceStiffness.hpp"
 #include "support/bothDimensions.hpp"
 
