@@ -76,7 +76,8 @@ void joinFaces(const Points<Dim>& x, std::vector<WallFace<Dim>>& walls, std::vec
     }
 }
 
-/// Normals at the points of each region: those of its faces, by their measures.
+/// Normals at the points of each region: those of its faces, by their measures. At a tip, as that of a cone, from whose
+/// mean normal the faces turn by more than featureAngle, there is none: each face has its own.
 template <int Dim>
 void setNormals(const Points<Dim>& x, std::vector<int>& parent, std::vector<WallFace<Dim>>& walls) {
     struct Corner {
@@ -94,9 +95,13 @@ void setNormals(const Points<Dim>& x, std::vector<int>& parent, std::vector<Wall
         auto end = first;
         for (; end != corners.end() && end->region == first->region && end->point == first->point; ++end)
             sum -= faceArea<Dim>(x, walls[end->face].nodes);
+        const Vec<Dim> mean = sum.normalized();
+        const bool tip = std::any_of(first, end, [&](const Corner& corner) {
+            return mean.dot(inwardNormal<Dim>(x, walls[corner.face].nodes)) < std::cos(featureAngle * M_PI / 180);
+        });
         for (; first != end; ++first) {
             auto& face = walls[first->face];
-            face.normal[first->node] = sum.normalized();
+            face.normal[first->node] = tip ? inwardNormal<Dim>(x, face.nodes) : mean;
             face.bent |= (face.normal[first->node] - inwardNormal<Dim>(x, face.nodes)).norm() > 1e-9;
         }
     }
