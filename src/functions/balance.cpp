@@ -1,5 +1,6 @@
 #include "functions/balance.hpp"
 
+#include "momentum/consistentMass.hpp"
 #include "momentum/residual.hpp"
 
 namespace pfem {
@@ -15,7 +16,9 @@ Points<Dim> supportForces(const Problem<Dim>& problemOfRun, const Controls& cont
     auto external = externalForce<Dim>(mesh, topology, fluid, nodes);
     const auto viscous = viscousForces<Dim>(fluid, controls.momentum.waveDamping, nodes);
     for (int i = 0; i < nodes.size(); ++i) external[i] -= viscous[i];
-    return momentumResidual<Dim>(nodalMass<Dim>(fluid, solid), nodes, fluid, solid, external, 1);
+    auto R = momentumResidual<Dim>(nodalMass<Dim>(fluid, solid), nodes, fluid, solid, external, 1);
+    if (controls.momentum.fluidMass() == FluidMass::consistent) addMassDifference<Dim>(fluid, 1, nodes.a, R);
+    return R;
 }
 
 #define PFEM_INSTANTIATE(D) template Points<D> supportForces<D>(const Problem<D>&, const Controls&, const State<D>&);

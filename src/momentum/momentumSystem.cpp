@@ -8,6 +8,7 @@
 #include "base/parallel.hpp"
 #include "linear/conjugateGradients.hpp"
 #include "linear/solvers.hpp"
+#include "momentum/consistentMass.hpp"
 
 namespace pfem {
 
@@ -94,6 +95,7 @@ MomentumSystem<Dim>::MomentumSystem(const Step<Dim>& step, const MomentumControl
       constraints_(step.constraints),
       fluid_(fluid),
       solid_(std::move(solid)),
+      massFactor_(step.midpoint.massFactor()),
       moving_(inertia.size(), 0),
       inertia_(inertia.size(), Vec<Dim>::Zero()),
       diagonal_(inertia.size(), 0.0) {
@@ -187,6 +189,7 @@ Points<Dim> MomentumSystem<Dim>::apply(const Points<Dim>& u) const {
     parallelFor(static_cast<int>(u.size()), [&](int i) { y[i] = inertia_[i].cwiseProduct(u[i]); });
     if (viscous_)
         addInternalForce<Dim>(fluid_.domains, fluidTangentStress<Dim>(fluid_.domains, fluid_.viscosity, u, bulk_), y);
+    if (isConsistent()) addMassDifference<Dim>(fluid_, massFactor_, u, y);
     if (solid_.dofs.n > 0) scatter(solid_.matrix.multiply(gather(u)), y);
     return restricted(std::move(y));
 }
@@ -210,7 +213,7 @@ Points<Dim> MomentumSystem<Dim>::solve(const Points<Dim>& residual) {
     parallelFor(static_cast<int>(r.size()), [&](int i) { r[i] = -residual[i]; });
     r = restricted(std::move(r));
     iterations_ = 1;
-    if (!viscous_) return precondition(r);  // the diagonal will do
+    if (!viscous_ && !isConsistent()) return precondition(r);  // the diagonal will do
 
     auto solution = conjugateGradients<Dim>([this](const Points<Dim>& u) { return apply(u); },
                                             [this](const Points<Dim>& u) { return precondition(u); }, std::move(r),

@@ -49,6 +49,7 @@ public:
     const SolidBlock<Dim>& solid() const { return solid_; }
 
 private:
+    bool isConsistent() const { return controls_.fluidMass() == FluidMass::consistent; }
     Points<Dim> apply(const Points<Dim>& u) const;
     Points<Dim> precondition(const Points<Dim>& r) const;
     Points<Dim> restricted(Points<Dim> r) const;
@@ -60,6 +61,7 @@ private:
     const FluidPhase<Dim>& fluid_;
     SolidBlock<Dim> solid_;
     std::unique_ptr<SymmetricSolver> factor_;
+    double massFactor_;                    // of the mass in the matrix [1/s]
     std::vector<unsigned char> moving_;    // fluid nodes with unknowns, solids left out
     Points<Dim> inertia_;                  // of moving fluid nodes; of a sliding one the same in all directions
     std::vector<double> diagonal_;         // its least component, 0 elsewhere

@@ -50,9 +50,10 @@ Motion<Dim> move(const Problem<Dim>& problem, const Problem<Dim>& within, const 
     auto [topologyOfStep, constraints] = beginStep<Dim>(problem, report.dt, state);
     motion.topology = std::move(topologyOfStep);
     const Topology<Dim>& topology = motion.topology;
+    const FluidMass mass = controls.momentum.fluidMass();
     if (state.nodes.v != last.nodes.v)  // what has landed moves on as its wall allows
-        state.energy.book(EnergyCause::remeshing,
-                          fluidEnergy<Dim>(problem, state).total() - fluidEnergy<Dim>(problem, last).total());
+        state.energy.book(EnergyCause::remeshing, fluidEnergy<Dim>(problem, state, mass).total() -
+                                                      fluidEnergy<Dim>(problem, last, mass).total());
 
     MotionAccount<Dim> account(state);
     const double divTarget = volumeCorrection<Dim>(state, controls.continuity.volumeCorrectionTime, report.dt);
@@ -63,7 +64,7 @@ Motion<Dim> move(const Problem<Dim>& problem, const Problem<Dim>& within, const 
     motion.returned = returnedVolume<Dim>(topology, state, report.dt * volumeReturnRate(controls.continuity, report.dt),
                                           report.dt * divTarget);
     state.energy.book(EnergyCause::volume,
-                      volumeEnergy<Dim>(problem, state.mesh.fluid, state.nodes, result.nodes, motion.returned) +
+                      volumeEnergy<Dim>(problem, state.mesh.fluid, state.nodes, result.nodes, motion.returned, mass) +
                           meniscusWork<Dim>(within, state.mesh.fluid, topology, state.nodes, result.nodes,
                                             controls.timeIntegration.gamma));
     motion.compressed = compressedVolume<Dim>(problem, state.mesh.fluid, topology.fluid, result.nodes, state.nodes.p);
@@ -93,7 +94,8 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
 
     try {
         const auto outcome =
-            runRules<Dim>(remeshingRules<Dim>(), {problem, controls.remeshing, motion, triangulator}, state);
+            runRules<Dim>(remeshingRules<Dim>(),
+                          {problem, controls.remeshing, motion, triangulator, controls.momentum.fluidMass()}, state);
         report.returned = outcome.returned;
         if (outcome.connectivity) report.mesh = *outcome.connectivity;
     } catch (const StepFailure& failure) {  // the new mesh is unfinished

@@ -4,6 +4,7 @@
 
 #include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
+#include "momentum/consistentMass.hpp"
 
 namespace pfem {
 
@@ -18,7 +19,7 @@ double specificEnergy(const Problem<Dim>& problem, const Nodes<Dim>& nodes, int 
 }  // namespace
 
 template <int Dim>
-StoredEnergy fluidEnergy(const Problem<Dim>& problem, const State<Dim>& state) {
+StoredEnergy fluidEnergy(const Problem<Dim>& problem, const State<Dim>& state, FluidMass mass) {
     const auto& nodes = state.nodes;
     const auto& cells = state.mesh.fluid;
     StoredEnergy energy = parallelSum(cells.size(), [&](int e) {
@@ -29,6 +30,7 @@ StoredEnergy fluidEnergy(const Problem<Dim>& problem, const State<Dim>& state) {
             height -= problem.gravity.dot(nodes.x[i]);
             squaredPressure += nodes.p[i] * nodes.p[i];
         }
+        if (mass == FluidMass::consistent) squaredSpeed += squaredSpeedDifference<Dim>(cells.nodes[e], nodes.v);
         const double share = simplexMeasure<Dim>(nodes.x, cells.nodes[e]) / (Dim + 1);
         return StoredEnergy{0.5 * share * fluid.rho * squaredSpeed, 0.5 * share * squaredPressure / fluid.kappa,
                             share * fluid.rho * height};
@@ -36,21 +38,24 @@ StoredEnergy fluidEnergy(const Problem<Dim>& problem, const State<Dim>& state) {
     const auto first = std::find_if(problem.materials.begin(), problem.materials.end(),
                                     [](const Material& m) { return m.kind == MaterialKind::fluid; });
     for (int i = 0; first != problem.materials.end() && i < nodes.size(); ++i) {
-        const double mass = first->fluid.rho * nodes.dropVolume[i];
-        energy.kinetic += 0.5 * mass * nodes.v[i].squaredNorm();
-        energy.potential -= mass * problem.gravity.dot(nodes.x[i]);
+        const double ofDrop = first->fluid.rho * nodes.dropVolume[i];
+        energy.kinetic += 0.5 * ofDrop * nodes.v[i].squaredNorm();
+        energy.potential -= ofDrop * problem.gravity.dot(nodes.x[i]);
     }
     return energy;
 }
 
 template <int Dim>
 double volumeEnergy(const Problem<Dim>& problem, const Cells<Dim>& cells, const Nodes<Dim>& old, const Nodes<Dim>& now,
-                    const std::vector<double>& returned) {
+                    const std::vector<double>& returned, FluidMass mass) {
     double sum = parallelSum(cells.size(), [&](int e) {
         const double change = simplexMeasure<Dim>(now.x, cells.nodes[e]) - simplexMeasure<Dim>(old.x, cells.nodes[e]);
         double ofNodes = 0;
         for (const int i : cells.nodes[e])
             ofNodes += 0.5 * (specificEnergy<Dim>(problem, old, i) + specificEnergy<Dim>(problem, now, i));
+        if (mass == FluidMass::consistent)
+            for (const auto* nodes : {&old, &now})
+                ofNodes += 0.25 * squaredSpeedDifference<Dim>(cells.nodes[e], nodes->v);
         return problem.fluid(cells.material[e]).rho * change / (Dim + 1) * ofNodes;
     });
     for (int i = 0; i < now.size(); ++i) sum += now.p[i] * returned[i];
@@ -58,9 +63,9 @@ double volumeEnergy(const Problem<Dim>& problem, const Cells<Dim>& cells, const 
 }
 
 #define PFEM_INSTANTIATE(D)                                                                               \
-    template StoredEnergy fluidEnergy<D>(const Problem<D>&, const State<D>&);                             \
+    template StoredEnergy fluidEnergy<D>(const Problem<D>&, const State<D>&, FluidMass);                  \
     template double volumeEnergy<D>(const Problem<D>&, const Cells<D>&, const Nodes<D>&, const Nodes<D>&, \
-                                    const std::vector<double>&);
+                                    const std::vector<double>&, FluidMass);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

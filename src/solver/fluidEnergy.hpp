@@ -3,6 +3,7 @@
 
 #include "conditions/problem.hpp"
 #include "mesh/topology.hpp"
+#include "momentum/controls.hpp"
 
 namespace pfem {
 
@@ -20,14 +21,15 @@ struct StoredEnergy {
     }
 };
 
-/// Of the fluid with its lumped mass, sum_e |e|/(d+1) sum_I ..., and of drops, which are of the first fluid.
+/// Of the fluid, with lumped mass sum_e |e|/(d+1) sum_I ..., and of drops, which are of the first fluid.
 template <int Dim>
-StoredEnergy fluidEnergy(const Problem<Dim>& problem, const State<Dim>& state);
+StoredEnergy fluidEnergy(const Problem<Dim>& problem, const State<Dim>& state, FluidMass mass = FluidMass::lumped);
 
 /// What a step's change of volume has brought in with one connectivity, from `old` to `now` [J/m (2D), J]:
-/// sum_I rho (v^2/2 - g . x) dOmega_I, mean of both, and the work p_I `returned`_I against the pressure.
+/// sum_I rho (v^2/2 - g . x) dOmega_I, mean of both (with consistent mass the cells' v^2), and the work p_I
+/// `returned`_I against the pressure.
 template <int Dim>
 double volumeEnergy(const Problem<Dim>& problem, const Cells<Dim>& cells, const Nodes<Dim>& old, const Nodes<Dim>& now,
-                    const std::vector<double>& returned);
+                    const std::vector<double>& returned, FluidMass mass = FluidMass::lumped);
 
 }  // namespace pfem

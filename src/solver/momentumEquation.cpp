@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/parallel.hpp"
+#include "momentum/consistentMass.hpp"
 #include "momentum/rigidInertia.hpp"
 #include "momentum/surfaceStiffness.hpp"
 #include "solver/scales.hpp"
@@ -26,6 +27,7 @@ MomentumEquation<Dim>::MomentumEquation(const Step<Dim>& step, const Controls& c
       fluid_(fluid),
       solid_(solid),
       waveDamping_(controls.momentum.waveDamping),
+      fluidMass_(controls.momentum.fluidMass()),
       tolerance_(controls.convergence.tolU),
       solidForceOld_(step.old.size(), Vec<Dim>::Zero()),
       stiffness_(surfaceStiffness<Dim>(step.problem, step.mesh.fluid, step.topology, step.old.x, step.midpoint)),
@@ -49,6 +51,7 @@ Points<Dim> MomentumEquation<Dim>::residual(const Trial<Dim>& trial, double chan
     auto external = externalForce<Dim>(step_.mesh, step_.topology, fluid_, trial.middle);
     parallelFor(n, [&](int i) { external[i] -= viscous_[i] + (1 - gamma) * solidForceOld_[i]; });
     auto R = momentumResidual<Dim>(mass_, trial.middle, fluid_, solid_, external, gamma);
+    if (fluidMass_ == FluidMass::consistent) addMassDifference<Dim>(fluid_, 1, trial.middle.a, R);
     addRigidInertia<Dim>(step_, trial, R);
     setLevers<Dim>(step_, trial, system_.solidDofs());
     parallelFor(n, [&](int i) { R[i] /= gamma; });

@@ -44,7 +44,8 @@ private:
     const Step<Dim>& step_;
     const FluidPhase<Dim>& fluid_;
     const SolidPhase<Dim>& solid_;
-    double waveDamping_;         // of zigzagForce
+    double waveDamping_;  // of zigzagForce
+    FluidMass fluidMass_;
     double tolerance_;           // of |dv|/|v|
     Points<Dim> solidForceOld_;  // at t^n
     Points<Dim> stiffness_;      // of the surface

@@ -165,13 +165,14 @@ RemeshingOutcome<Dim> runRules(const std::vector<RemeshingRule<Dim>>& rules, con
                                State<Dim>& state) {
     RemeshingOutcome<Dim> outcome;
     MotionAccount<Dim> account(state);
-    const double energy = fluidEnergy<Dim>(context.problem, state).total();
+    const auto total = [&] { return fluidEnergy<Dim>(context.problem, state, context.mass).total(); };
+    const double energy = total();
     for (const auto& rule : rules) {
         if (rule.applies && !rule.applies(context, state)) continue;
         rule.run(context, state, outcome);
         if (rule.cause) account.book(*rule.cause, state);
     }
-    state.energy.book(EnergyCause::remeshing, fluidEnergy<Dim>(context.problem, state).total() - energy);
+    state.energy.book(EnergyCause::remeshing, total() - energy);
     return outcome;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "conditions/problem.hpp"
+#include "momentum/controls.hpp"
 #include "remesh/remesh.hpp"
 
 namespace pfem {
@@ -30,6 +31,7 @@ struct RemeshingContext {
     const RemeshingControls& controls;
     const Motion<Dim>& motion;
     Triangulator<Dim>& triangulator;  // has the triangulation of the step before, or none
+    FluidMass mass = FluidMass::lumped;
 };
 
 /// What rules tell those after them, and the log.

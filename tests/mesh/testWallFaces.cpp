@@ -72,6 +72,29 @@ TEST(WallFaces, polygonsAreMeantAsCurves) {
     }
 }
 
+// The tip of a cone has no normal that its sides could be bent to: they stay straight towards it.
+TEST(WallFaces, conesAreStraightTowardsTheirTip) {
+    constexpr int n = 36;
+    const double slope = M_PI / 6;
+    Points<3> x{Vec<3>::Zero()};
+    Patch<3> cone{"cone", {}};  // its tip down, the fluid below
+    for (int k = 0; k < n; ++k) {
+        const double a = 2 * M_PI * k / n;
+        x.push_back({std::cos(a), std::sin(a), std::tan(slope)});
+        cone.faces.push_back({0, k + 1, (k + 1) % n + 1});
+    }
+    const auto walls = wallFaces<3>({cone}, {true}, x);
+    for (const auto& face : walls) EXPECT_EQ(face.region, walls[0].region);
+    for (const double r : {0.1, 0.5, 0.9})
+        for (const double a : {0.0, 0.4 * M_PI / n, M_PI / n, 2.0}) {
+            const Vec<3> onCone(r * std::cos(a), r * std::sin(a), r * std::tan(slope));
+            const Vec<3> normal(std::sin(slope) * std::cos(a), std::sin(slope) * std::sin(a), -std::cos(slope));
+            const auto place = placeOnRegion<3>(walls, x, n / 2, onCone + 0.01 * normal);  // from beyond the tip
+            EXPECT_LT((place.x - onCone).norm(), 2e-3) << r << " " << a;
+            EXPECT_LT((place.normal - normal).norm(), 0.05) << r << " " << a;
+        }
+}
+
 TEST(WallFaces, boxInThreeDimensions) {
     Points<3> x;
     for (int k = 0; k < 8; ++k) x.push_back({k & 1 ? 1.0 : 0.0, k & 2 ? 1.0 : 0.0, k & 4 ? 1.0 : 0.0});
