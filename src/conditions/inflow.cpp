@@ -18,11 +18,21 @@ bool sticks(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topo
     return false;
 }
 
-/// Is x on an edge with which the smooth region of the patch's face ends?
+/// The wall faces of each inlet; of other patches none.
 template <int Dim>
-bool isOnEdge(const Topology<Dim>& topology, const Points<Dim>& points, int wall, const Vec<Dim>& x, double near) {
-    for (const auto& face : topology.walls) {
-        if (face.patch != topology.walls[wall].patch) continue;
+std::vector<std::vector<int>> facesOfInlets(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology) {
+    std::vector<std::vector<int>> faces(conditions.inlet.size());
+    for (int w = 0; w < static_cast<int>(topology.walls.size()); ++w)
+        if (const int patch = topology.walls[w].patch; patch >= 0 && conditions.inlet[patch]) faces[patch].push_back(w);
+    return faces;
+}
+
+/// Is x on an edge with which a smooth region of the faces of a patch ends?
+template <int Dim>
+bool isOnEdge(const Topology<Dim>& topology, const Points<Dim>& points, const std::vector<int>& faces,
+              const Vec<Dim>& x, double near) {
+    for (const int wall : faces) {
+        const auto& face = topology.walls[wall];
         for (int k = 0; k < Dim; ++k) {
             if (face.bend[k] == Bend::smooth && face.next[k] >= 0 && topology.walls[face.next[k]].patch == face.patch)
                 continue;
@@ -108,13 +118,13 @@ std::vector<DrivenNode<Dim>> drivenNodes(const BoundaryConditions<Dim>& conditio
     if (!conditions.anyInlet()) return driven;
     std::vector<int> patchOf(x.size(), -1);
     for (int i = 0; i < topology.nNodes(); ++i) patchOf[i] = inletOf<Dim>(conditions, topology, i);
+    const auto facesOf = facesOfInlets<Dim>(conditions, topology);
     std::vector<RigidStep<Dim>> step(x.size());
     for (int k = 0; k < static_cast<int>(conditions.inlet.size()); ++k) {
         if (!conditions.inlet[k]) continue;
         const Inlet& inlet = *conditions.inlet[k];
         std::vector<Face<Dim>> faces;
-        for (const auto& face : topology.walls)
-            if (face.patch == k) faces.push_back(face.nodes);
+        for (const int wall : facesOf[k]) faces.push_back(topology.walls[wall].nodes);
         const auto spread = inletSpread<Dim>(inlet, faces, x, t1);
         const Vec<Dim>& e = spread.direction;
         const auto speed = [&](int i) { return sticks<Dim>(conditions, topology, i) ? 0 : spread.speed(x[i]); };
@@ -137,7 +147,7 @@ std::vector<DrivenNode<Dim>> drivenNodes(const BoundaryConditions<Dim>& conditio
         bool pinned = !topology.freeSurface[i] || sticks<Dim>(conditions, topology, i);
         for (const int wall : topology.supports[i])
             if (!pinned && wall >= 0 && topology.isOpening(wall))
-                pinned = isOnEdge<Dim>(topology, x, wall, x[i], 1e-6 * h[i]);
+                pinned = isOnEdge<Dim>(topology, x, facesOf[topology.walls[wall].patch], x[i], 1e-6 * h[i]);
         driven.push_back({i, step[i], pinned});
     }
     return driven;

@@ -50,19 +50,25 @@ Signal sumOf(std::vector<Sine> sines) {
     return [sines = std::move(sines)](double t) { return sumAt(sines, t); };
 }
 
+/// What makes the waves: a wall of a flume that moves, or an inlet there.
+struct Source {
+    Flume flume;
+    bool inlet = false;
+};
+
 /// The signal for a surface that is a sum of small waves.
-Signal signalFor(const std::vector<Sine>& surface, const Flume& flume) {
-    return sumOf(flume.maker == Maker::inlet ? inflowFor(surface, flume) : motionFor(surface, flume));
+Signal signalFor(const std::vector<Sine>& surface, const Source& source) {
+    return sumOf(source.inlet ? inflowFor(surface, source.flume) : motionFor(surface, source.flume));
 }
 
 /// Waves that go on as they are; what comes in at an inlet is c eta.
-Signal permanentSignal(const PermanentWave& wave, const Flume& flume) {
-    if (flume.maker == Maker::inlet) return [wave](double t) { return wave.c * wave.surface(wave.k * wave.c * t); };
-    return [motion = PermanentMotion(wave, flume.depth)](double t) { return motion.value(t); };
+Signal permanentSignal(const PermanentWave& wave, const Source& source) {
+    if (source.inlet) return [wave](double t) { return wave.c * wave.surface(wave.k * wave.c * t); };
+    return [motion = PermanentMotion(wave, source.flume.depth)](double t) { return motion.value(t); };
 }
 
-Signal regularSignal(const Dictionary& dict, const std::string& theory, double height, const Flume& flume) {
-    const RegularWave wave{height, positive(dict, "period"), flume.depth, flume.gravity};
+Signal regularSignal(const Dictionary& dict, const std::string& theory, double height, const Source& source) {
+    const RegularWave wave{height, positive(dict, "period"), source.flume.depth, source.flume.gravity};
     if (theory == "stokes5" || theory == "cnoidal") {
         const auto permanent = theory == "cnoidal" ? cnoidalWave(wave) : stokesWave(wave);
         const double number = ursell(permanent, wave);
@@ -70,48 +76,50 @@ Signal regularSignal(const Dictionary& dict, const std::string& theory, double h
             dict.fatal("theory", fmt::format("H L^2/d^3 is {:.3g} (wave length {:.4g} m): above 40 'stokes5' does not "
                                              "hold, below 10 'cnoidal'",
                                              number, 2 * M_PI / permanent.k));
-        return permanentSignal(permanent, flume);
+        return permanentSignal(permanent, source);
     }
-    if (flume.maker == Maker::inlet) return signalFor({{0.5 * height, 2 * M_PI / wave.period, 0}}, flume);
-    return sumOf(regularMotion(height, wave.period, theory == "secondOrder", flume));
+    if (source.inlet) return signalFor({{0.5 * height, 2 * M_PI / wave.period, 0}}, source);
+    return sumOf(regularMotion(height, wave.period, theory == "secondOrder", source.flume));
 }
 
-Signal seaSignal(const Dictionary& dict, const std::string& theory, double height, const Flume& flume) {
+Signal seaSignal(const Dictionary& dict, const std::string& theory, double height, const Source& source) {
     Sea sea{height, positive(dict, "period")};
     sea.gamma = theory == "piersonMoskowitz" ? 1 : dict.get("gamma", sea.gamma);
     sea.components = dict.get("components", sea.components);
     if (sea.components < 1) dict.fatal("components", "A sea needs a component at least");
     sea.seed = dict.get("seed", sea.seed);
-    if (theory != "focused") return signalFor(surfaceOf(sea), flume);
+    if (theory != "focused") return signalFor(surfaceOf(sea), source);
     const Focus focus{height, dict.get<double>("focusTime"), dict.get("focusPlace", 0.0)};
-    return signalFor(focusedGroup(sea, focus, flume.depth, flume.gravity), flume);
+    return signalFor(focusedGroup(sea, focus, source.flume.depth, source.flume.gravity), source);
 }
 
 Motion readMotion(const Dictionary& dict) {
     const auto theory = dict.choice(
         "theory", {"airy", "secondOrder", "stokes5", "cnoidal", "solitary", "jonswap", "piersonMoskowitz", "focused"},
         "airy");
-    Flume flume;
+    Source source;
+    Flume& flume = source.flume;
     flume.depth = positive(dict, "depth");
     flume.gravity = dict.get("gravity", flume.gravity);
     const auto maker = dict.choice("maker", {"piston", "flap", "inlet"}, "piston");
-    flume.maker = maker == "flap" ? Maker::flap : maker == "inlet" ? Maker::inlet : Maker::piston;
+    if (maker == "flap") flume.maker = Maker::flap;
+    source.inlet = maker == "inlet";
     Motion motion;
     motion.start = dict.get("start", 0.0);
-    if (flume.maker == Maker::flap) motion.flapDepth = flume.depth;
+    if (maker == "flap") motion.flapDepth = flume.depth;
     const double height = positive(dict, "height");
     const bool permanent = theory == "stokes5" || theory == "cnoidal";
-    if ((theory == "solitary" || theory == "secondOrder") && flume.maker != Maker::piston)
+    if ((theory == "solitary" || theory == "secondOrder") && maker != "piston")
         dict.fatal("theory", "The theory '" + theory + "' is that of a piston");
-    if (permanent && flume.maker == Maker::flap)
+    if (permanent && maker == "flap")
         dict.fatal("theory", "The theory '" + theory + "' is that of a piston or an inlet");
     if (theory == "solitary") {
         motion.signal = [wave = SolitaryMotion(height, flume)](double t) { return wave.value(t); };
         return motion;
     }
     motion.signal = permanent || theory == "airy" || theory == "secondOrder"
-                        ? regularSignal(dict, theory, height, flume)
-                        : seaSignal(dict, theory, height, flume);
+                        ? regularSignal(dict, theory, height, source)
+                        : seaSignal(dict, theory, height, source);
     motion.ramp = dict.get("ramp", positive(dict, "period"));
     return motion;
 }

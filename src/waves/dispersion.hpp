@@ -6,8 +6,8 @@ namespace pfem {
 /// k of omega^2 = g k tanh(k d), to round-off [1/m].
 double waveNumber(double omega, double depth, double gravity);
 
-/// What makes waves at the end of a flume: a piston, a flap that turns about the bed, or water that comes in and goes.
-enum class Maker { piston, flap, inlet };
+/// A wave maker at the end of a flume: a piston, or a flap that turns about the bed.
+enum class Maker { piston, flap };
 
 /// Amplitude of the waves far away over that of the maker's motion at the still level, q = k d (Havelock, Biesel):
 ///     piston  2 (cosh 2q - 1)/(sinh 2q + 2q),      flap  4 sinh q (q sinh q - cosh q + 1)/(q (sinh 2q + 2q)).
