@@ -15,7 +15,11 @@ Points<Dim> supportForces(const Problem<Dim>& problemOfRun, const Controls& cont
     auto external = externalForce<Dim>(mesh, topology, fluid, nodes);
     const auto viscous = viscousForces<Dim>(fluid, controls.momentum.waveDamping, nodes);
     for (int i = 0; i < nodes.size(); ++i) external[i] -= viscous[i];
-    return momentumResidual<Dim>(nodalMass<Dim>(fluid, solid), nodes, fluid, solid, external, 1);
+    auto R = momentumResidual<Dim>(nodalMass<Dim>(fluid, solid), nodes, fluid, solid, external, 1);
+    if (topology.rides.empty()) return R;
+    const double now = state.time.value;
+    handOver<Dim>(nodeConstraints<Dim>(mesh, problem.conditions, topology, nodes, now, now).riders, R);
+    return R;
 }
 
 #define PFEM_INSTANTIATE(D) template Points<D> supportForces<D>(const Problem<D>&, const Controls&, const State<D>&);

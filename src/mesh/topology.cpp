@@ -6,6 +6,7 @@
 #include <set>
 
 #include "mesh/distance.hpp"
+#include "mesh/nearestOnFace.hpp"
 #include "mesh/simplex.hpp"
 #include "mesh/wallBins.hpp"
 
@@ -83,6 +84,38 @@ void findTouching(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, co
     }
 }
 
+/// Which nodes of solids are under skins: those without a face of their own in the fluid.
+template <int Dim>
+void findUnderSkins(const Mesh<Dim>& mesh, Topology<Dim>& t) {
+    std::set<Face<Dim>> skins;
+    for (const auto& wall : t.walls)
+        if (wall.patch >= 0 && t.kinds[wall.patch] == PatchKind::skin) skins.insert(sorted<Dim>(wall.nodes));
+    if (skins.empty()) return;
+    for (const auto& face : skins)
+        for (const int node : face) t.wallPoint[node] = 1;
+    for (const auto& face : boundaryFaces<Dim>(mesh.solid.nodes, t.solid)) {
+        if (skins.count(sorted<Dim>(face.nodes)) > 0 || t.liesOnWall(face.nodes)) continue;
+        for (const int node : face.nodes) t.wallPoint[node] = 0;
+    }
+}
+
+/// On skins nodes of the fluid ride; those of the solid under them are geometry.
+template <int Dim>
+void setSkins(const Mesh<Dim>& mesh, const Points<Dim>& x, Topology<Dim>& t) {
+    t.rides.clear();
+    if (std::find(t.kinds.begin(), t.kinds.end(), PatchKind::skin) == t.kinds.end()) return;
+    findUnderSkins<Dim>(mesh, t);
+    for (int i = 0; i < t.nNodes(); ++i)
+        for (const int wall : Supports<Dim>(t.supports[i])) {
+            if (wall < 0 || !t.isSkin(wall)) continue;
+            const Face<Dim>& face = t.walls[wall].nodes;
+            if (t.onWall[i])
+                t.rides.push_back({i, wall, face, nearestWeights<Dim>(x, face, x[i])});
+            else if (t.isUnderSkin(i))
+                dropSupport(t.supports[i], wall);
+        }
+}
+
 /// The wall face under a face of the fluid, -1: none: a support of the first node with which all have a joined one, so
 /// that the face has the normal of the walls under its nodes.
 template <int Dim>
@@ -111,6 +144,7 @@ void setWalls(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const 
         if (!t.onWall[i]) t.supports[i] = unsupported<Dim>();
     }
     findTouching<Dim>(mesh, kinds, x, t);
+    setSkins<Dim>(mesh, x, t);
     const auto symmetry = symmetryFaces<Dim>(mesh, kinds);
     t.freeSurface.assign(t.nNodes(), 0);
     for (auto& face : t.faces) {
@@ -140,9 +174,11 @@ Topology<Dim> makeTopology(const Mesh<Dim>& mesh, const std::vector<PatchKind>& 
     t.onWall.assign(nNodes, 0);
     for (int i = 0; i < nNodes; ++i) t.onSolid[i] = t.solid.count(i) > 0;
     t.walls = wallFaces<Dim>(mesh.patches, wallPatches(kinds), x);
+    for (auto& face : t.walls)  // the edge of a solid is as its cells are
+        if (face.patch >= 0 && kinds[face.patch] == PatchKind::skin) face.bent = false;
     t.convex = convexPairs<Dim>(t.walls);
     for (const auto& face : t.walls)
-        if (face.patch >= 0)
+        if (face.patch >= 0 && isWall(kinds[face.patch]))
             for (const int node : face.nodes) t.wallPoint[node] = 1;
     const auto solid = solidFaces<Dim>(mesh, t.solid);
     for (const auto& face : boundary) {

@@ -182,11 +182,17 @@ Points<Dim> MomentumSystem<Dim>::restricted(const Points<Dim>& r) const {
 }
 
 template <int Dim>
+void MomentumSystem<Dim>::addViscous(Points<Dim> u, Points<Dim>& force) const {
+    carryRiders<Dim>(constraints_.riders, u);
+    addInternalForce<Dim>(fluid_.domains, fluidTangentStress<Dim>(fluid_.domains, fluid_.viscosity, u, bulk_), force);
+    handOver<Dim>(constraints_.riders, force);
+}
+
+template <int Dim>
 Points<Dim> MomentumSystem<Dim>::apply(const Points<Dim>& u) const {
     Points<Dim> y(u.size(), Vec<Dim>::Zero());
     for (std::size_t i = 0; i < u.size(); ++i) y[i] = inertia_[i].cwiseProduct(u[i]);
-    if (viscous_)
-        addInternalForce<Dim>(fluid_.domains, fluidTangentStress<Dim>(fluid_.domains, fluid_.viscosity, u, bulk_), y);
+    if (viscous_) addViscous(u, y);
     if (solid_.dofs.n > 0) scatter(solid_.matrix.multiply(gather(u)), y);
     return restricted(y);
 }
@@ -207,6 +213,7 @@ template <int Dim>
 Points<Dim> MomentumSystem<Dim>::solve(const Points<Dim>& residual) {
     Points<Dim> r = residual;
     parallelFor(static_cast<int>(r.size()), [&](int i) { r[i] = -r[i]; });
+    handOver<Dim>(constraints_.riders, r);
     r = restricted(r);
     iterations_ = 1;
     if (!viscous_) return precondition(r);  // the diagonal will do

@@ -50,6 +50,7 @@ public:
 
 private:
     Points<Dim> apply(const Points<Dim>& u) const;
+    void addViscous(Points<Dim> u, Points<Dim>& force) const;
     Points<Dim> precondition(const Points<Dim>& r) const;
     Points<Dim> restricted(const Points<Dim>& r) const;
     Eigen::VectorXd gather(const Points<Dim>& r) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/parallel.hpp"
+#include "momentum/riderMatrix.hpp"
 #include "momentum/rigidInertia.hpp"
 #include "momentum/surfaceStiffness.hpp"
 #include "solver/scales.hpp"
@@ -16,6 +17,7 @@ MomentumSystem<Dim> MomentumEquation<Dim>::makeSystem(const Controls& controls) 
     block.dofs = solidDofs<Dim>(step_.topology.solid, step_.constraints);
     block.matrix = solidMatrix<Dim>(solid_.solids, solid_.domains, block.dofs, diagonal, step_.old.h, step_.midpoint);
     addRigidMatrix<Dim>(step_, block);
+    addRiders<Dim>(step_.constraints.riders, diagonal, block);
     return MomentumSystem<Dim>(step_, controls.momentum, fluid_, diagonal, std::move(block));
 }
 
