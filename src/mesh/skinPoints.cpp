@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mesh/nearestOnFace.hpp"
 
@@ -48,16 +49,29 @@ std::vector<SkinPoint<2>> pointsOn(const Topology<2>& topology, const Points<2>&
     return points;
 }
 
+/// The solid's face that is nearest to a point, of the regions on which nodes of the fluid's face ride.
+int nearestWall(const Topology<3>& topology, const Points<3>& x, const FluidFace<3>& face, const Vec<3>& point) {
+    int nearest = -1;
+    double least = std::numeric_limits<double>::max();
+    for (const int node : face.nodes)
+        for (const int wall : topology.supports[node]) {
+            if (wall < 0 || !topology.isSkin(wall)) continue;
+            const auto place = placeOnRegion<3>(topology.walls, x, wall, point);
+            const double distance = (place.x - point).norm();
+            if (distance >= least) continue;
+            least = distance;
+            nearest = place.face;
+        }
+    return nearest;
+}
+
 std::vector<SkinPoint<3>> pointsOn(const Topology<3>& topology, const Points<3>& x, const FluidFace<3>& face,
-                                   const std::array<const Ride<3>*, 3>& rides) {
+                                   const std::array<const Ride<3>*, 3>&) {
     std::vector<SkinPoint<3>> points;
     const auto add = [&](const std::array<Vec<3>, 3>& corners) {  // of a quarter
         for (int k = 0; k < 3; ++k) {
             const Vec<3> w = (corners[0] + corners[1] + corners[2]) / 6 + corners[k] / 2;
-            Eigen::Index nearest = 0;
-            w.maxCoeff(&nearest);
-            const Vec<3> place = weighted<3>(x, face.nodes, w);
-            const int wall = placeOnRegion<3>(topology.walls, x, rides[nearest]->wall, place).face;
+            const int wall = nearestWall(topology, x, face, weighted<3>(x, face.nodes, w));
             points.push_back(pointOn<3>(topology, x, face, wall, w));
             points.back().part = 1.0 / 12;
         }

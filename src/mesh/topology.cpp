@@ -134,6 +134,24 @@ int wallUnder(const Topology<Dim>& t, const Points<Dim>& x, const Face<Dim>& fac
     return -1;
 }
 
+/// The face of a skin under a face of the fluid whose nodes all ride on its region, -1: none. Edges of solids meet
+/// others within a few cells: a node there rides on both.
+template <int Dim>
+int skinUnder(const Topology<Dim>& t, const Points<Dim>& x, const Face<Dim>& face) {
+    const Vec<Dim> own = faceArea<Dim>(x, face).normalized();
+    for (const int wall : t.supports[face[0]]) {
+        if (wall < 0 || !t.isSkin(wall)) continue;
+        const bool all = std::all_of(face.begin(), face.end(), [&](int node) {
+            return std::any_of(t.supports[node].begin(), t.supports[node].end(), [&](int other) {
+                return other >= 0 && t.walls[other].region == t.walls[wall].region &&
+                       own.dot(inwardNormal<Dim>(x, t.walls[other].nodes)) < -0.5;
+            });
+        });
+        if (all) return wall;
+    }
+    return -1;
+}
+
 /// What depends on the walls that hold nodes; interfaces are known.
 template <int Dim>
 void setWalls(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const Points<Dim>& x,
@@ -150,7 +168,8 @@ void setWalls(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const 
     for (auto& face : t.faces) {
         if (face.kind == FaceKind::interface) continue;
         const bool onSymmetry = !symmetry.empty() && symmetry.count(sorted<Dim>(face.nodes)) > 0;
-        face.wall = onSymmetry ? -1 : wallUnder<Dim>(t, x, face.nodes);
+        face.wall = onSymmetry || t.rides.empty() ? -1 : skinUnder<Dim>(t, x, face.nodes);
+        if (face.wall < 0 && !onSymmetry) face.wall = wallUnder<Dim>(t, x, face.nodes);
         face.kind = onSymmetry || face.wall >= 0 ? FaceKind::wall : FaceKind::freeSurface;
         if (face.kind == FaceKind::freeSurface)
             for (int node : face.nodes) t.freeSurface[node] = 1;

@@ -1,5 +1,6 @@
 #include "momentum/momentumSystem.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -153,6 +154,28 @@ Eigen::VectorXd MomentumSystem<Dim>::gather(const Points<Dim>& r) const {
     return u;
 }
 
+/// (B^T B)^-1 f on the rigid bodies' unknowns: from the nodes' velocities gathered to those of the bodies.
+template <int Dim>
+Eigen::VectorXd MomentumSystem<Dim>::perBody(Eigen::VectorXd f) const {
+    for (std::size_t b = 0; b < ofBody_.size(); ++b) {
+        const auto& body = solid_.dofs.bodies[b];
+        f.segment(body.first, body.count) = (ofBody_[b] * f.segment(body.first, body.count)).eval();
+    }
+    return f;
+}
+
+/// Forces on rigid bodies' nodes become the least ones that do the same to the bodies: what conjugate gradients see of
+/// them, as of a velocity, is then a vector of the bodies' unknowns.
+template <int Dim>
+void MomentumSystem<Dim>::spreadOverBodies(Points<Dim>& force) const {
+    if (ofBody_.empty()) return;
+    Eigen::VectorXd onBodies = perBody(gather(force));
+    onBodies.head(solid_.dofs.bodies[0].first).setZero();  // they come last
+    for (const auto& body : solid_.dofs.bodies)
+        for (const int l : body.local) force[solid_.dofs.node[l]].setZero();
+    scatter(onBodies, force);
+}
+
 template <int Dim>
 Eigen::VectorXd MomentumSystem<Dim>::onSolids(const std::vector<std::pair<int, Vec<Dim>>>& forces) const {
     const SolidDofs<Dim>& dofs = solid_.dofs;
@@ -193,7 +216,8 @@ Points<Dim> MomentumSystem<Dim>::apply(const Points<Dim>& u) const {
     Points<Dim> y(u.size(), Vec<Dim>::Zero());
     for (std::size_t i = 0; i < u.size(); ++i) y[i] = inertia_[i].cwiseProduct(u[i]);
     if (viscous_) addViscous(u, y);
-    if (solid_.dofs.n > 0) scatter(solid_.matrix.multiply(gather(u)), y);
+    spreadOverBodies(y);
+    if (solid_.dofs.n > 0) scatter(perBody(solid_.matrix.multiply(perBody(gather(u)))), y);
     return restricted(y);
 }
 
@@ -218,6 +242,13 @@ Points<Dim> MomentumSystem<Dim>::solve(const Points<Dim>& residual) {
     iterations_ = 1;
     if (!viscous_) return precondition(r);  // the diagonal will do
 
+    ofBody_.clear();
+    for (const auto& body : solid_.dofs.bodies) {
+        Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(body.count, body.count);
+        for (const int l : body.local) gram += solid_.dofs.basis[l].transpose() * solid_.dofs.basis[l];
+        ofBody_.push_back(gram.inverse());
+    }
+    spreadOverBodies(r);
     auto solution = conjugateGradients<Dim>([this](const Points<Dim>& u) { return apply(u); },
                                             [this](const Points<Dim>& u) { return precondition(u); }, std::move(r),
                                             {controls_.linearTolerance, controls_.maxLinearIterations, "momentum"});

@@ -54,6 +54,8 @@ private:
     Points<Dim> precondition(const Points<Dim>& r) const;
     Points<Dim> restricted(const Points<Dim>& r) const;
     Eigen::VectorXd gather(const Points<Dim>& r) const;
+    Eigen::VectorXd perBody(Eigen::VectorXd f) const;
+    void spreadOverBodies(Points<Dim>& force) const;
     void scatter(const Eigen::VectorXd& u, Points<Dim>& r) const;
 
     MomentumControls controls_;
@@ -61,6 +63,7 @@ private:
     const FluidPhase<Dim>& fluid_;
     SolidBlock<Dim> solid_;
     std::unique_ptr<SymmetricSolver> factor_;
+    std::vector<Eigen::MatrixXd> ofBody_;  // (B^T B)^-1 of rigid bodies whose nodes' velocities are B times their own
     std::vector<unsigned char> moving_;    // fluid nodes with unknowns, solids left out
     Points<Dim> inertia_;                  // of moving fluid nodes; of a sliding one the same in all directions
     std::vector<double> diagonal_;         // its least component, 0 elsewhere
