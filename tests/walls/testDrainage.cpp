@@ -56,7 +56,7 @@ Load loadOf(const TestCase& c) {
 /// One step of the length that the solver would take, at most `most`.
 void advance(TestCase& c, double most) {
     const CourantRate rate = courantRate<2>(c.state);
-    c.step(std::min({most, 0.4 / rate.largest, 0.2 / rate.relative, 0.7 / rate.compression}));
+    c.step(1 / std::max({1 / most, rate.largest / 0.4, rate.relative / 0.2, rate.compression / 0.7}));
 }
 
 // A plate of four triangles is lifted out of water at 0.5 m/s: within 2 s what it has lifted runs off.
@@ -71,12 +71,12 @@ TEST(Drainage, ofAPlateThatIsLifted) {
         "0)) (0.3 (0 0.15 0)) (9 (0 0.15 0))); } }");
     separateFromSkins<2>(c.kinds(), c.state);
     c.start(5e-4);
-    while (c.state.time.value < 0.3) advance(c, 2e-3);
+    while (c.state.time.value < 0.1) advance(c, 2e-3);  // its underside passes where the level was
     const double lifted = loadOf(c).volume;
-    while (c.state.time.value < 2.3) advance(c, 5e-3);
+    while (c.state.time.value < 2.1) advance(c, 2e-3);
     const double left = loadOf(c).volume;
     std::cout << "lifted " << lifted << " m2, left " << left << " m2: " << 100 * left / lifted << " %\n";
-    EXPECT_GT(lifted, 0.06 * 0.0025);
+    EXPECT_GT(lifted, 0.06 * 0.005);
     EXPECT_LT(left, 0.05 * lifted);
 }
 
