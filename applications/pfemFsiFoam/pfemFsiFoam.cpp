@@ -19,6 +19,7 @@
 #include "solver/recorder.hpp"
 #include "solver/setup.hpp"
 #include "solver/waveRate.hpp"
+#include "walls/skins.hpp"
 
 using namespace pfem;
 
@@ -46,6 +47,7 @@ Simulation<Dim> readSimulation(const Case& theCase, const TimeControl& clock) {
     simulation.state = readState<Dim>(clock.startFolder());
     checkState<Dim>(clock.startFolder(), simulation.state);
     simulation.problem = readProblem<Dim>(theCase, simulation.state);
+    separateFromSkins<Dim>(simulation.problem.conditions.kind, simulation.state);
     simulation.controls = readControls(theCase);
     checkLaws<Dim>(simulation.problem, simulation.state.mesh, simulation.controls.integration);
     simulation.nextTime = [&clock](const TimeInfo& time, double dt) { return clock.advance(time, dt); };

@@ -66,9 +66,9 @@ BoundaryConditions<Dim> readBoundaryConditions(const Dictionary& dict, const std
             result.motion.back() = std::make_shared<WallMotion>(entry.subDict("motion"), Dim == 2);
         }
         if (entry.found("friction") && !type.has("friction"))
-            entry.fatal("friction", "'" + patch.name + "' is not a " +
+            entry.fatal("friction", "'" + patch.name + "' is not of type " +
                                         typeList([](const auto& t) { return t.has("friction"); }, " or ") +
-                                        " wall: only those have 'friction'");
+                                        ": only those have 'friction'");
         const PatchEntries entries = type.read ? type.read(entry, Dim == 2) : PatchEntries();
         result.friction.push_back(entries.friction);
         result.inlet.push_back(entries.inlet);

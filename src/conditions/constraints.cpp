@@ -14,13 +14,14 @@ namespace {
 template <int Dim>
 class Hold {
 public:
-    /// Hold motion along n, unless it is held already; `motion`: that it follows, -1: none.
-    void along(const Vec<Dim>& n, int motion) {
+    /// Hold motion along n, unless it is held already; `motion`: that it follows, -1: none; `ride`: that it goes along
+    /// with.
+    void along(const Vec<Dim>& n, int motion, int ride = -1) {
         const Freedom<Dim> less = freedom_.without(n);
         if (less.count == freedom_.count) return;
         freedom_ = less;
-        following_.part[following_.count++] = {n.normalized(), Vec<Dim>::Zero(), motion};
-        moves_ = moves_ || motion >= 0;
+        following_.part[following_.count++] = {n.normalized(), Vec<Dim>::Zero(), motion, ride};
+        moves_ = moves_ || motion >= 0 || ride >= 0;
     }
     /// Hold what is still free.
     void wholly(int motion) {
@@ -99,6 +100,19 @@ void holdAtOpening(const BoundaryConditions<Dim>& conditions, const Topology<Dim
     if (driven.pinned) hold.wholly(driven.motion);
 }
 
+/// Along the normal that the face under a rider has after dt.
+template <int Dim>
+void holdOnSolid(const Topology<Dim>& topology, const Nodes<Dim>& nodes, int ride, double dt, Hold<Dim>& hold) {
+    Points<Dim> later;
+    Face<Dim> all{};
+    for (int k = 0; k < Dim; ++k) {
+        const int i = topology.rides[ride].face[k];
+        all[k] = k;
+        later.push_back(nodes.x[i] + dt * nodes.v[i]);
+    }
+    hold.along(inwardNormal<Dim>(later, all), -1, ride);
+}
+
 }  // namespace
 
 template <int Dim>
@@ -136,6 +150,12 @@ NodeConstraints<Dim> nodeConstraints(const Mesh<Dim>& mesh, const BoundaryCondit
         for (int k = 0; topology.onWall[i] && k < Dim && topology.supports[i][k] >= 0; ++k) {
             const int wall = topology.supports[i][k], patch = topology.walls[wall].patch;
             if (topology.isOpening(wall)) continue;
+            if (topology.isSkin(wall)) {
+                const Ride<Dim>* ride = topology.rideOn(static_cast<int>(i), wall);
+                while (ride->wall != wall) ++ride;  // the first may be round an edge
+                holdOnSolid<Dim>(topology, nodes, static_cast<int>(ride - topology.rides.data()), t1 - t0, hold);
+                continue;
+            }
             const PatchType& type = *conditions.type[patch];
             const int mover = moverOf(patch);
             Vec<Dim> normal = placeOnRegion<Dim>(topology.walls, nodes.x, wall, nodes.x[i]).normal;
@@ -149,6 +169,10 @@ NodeConstraints<Dim> nodeConstraints(const Mesh<Dim>& mesh, const BoundaryCondit
         if (!hold.moves()) continue;
         c.followed[i] = static_cast<int>(c.following.size());
         c.following.push_back(hold.following());
+        const Following<Dim>& f = c.following.back();
+        for (int k = 0; k < f.count; ++k)
+            if (f.part[k].ride >= 0)
+                c.riders.push_back({topology.rides[f.part[k].ride], f.part[k].normal, f.part[k].dual});
     }
     return c;
 }

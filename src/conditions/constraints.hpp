@@ -3,6 +3,7 @@
 
 #include "conditions/boundaryConditions.hpp"
 #include "conditions/freedom.hpp"
+#include "conditions/riders.hpp"
 #include "conditions/rigidBody.hpp"
 #include "state/state.hpp"
 
@@ -14,6 +15,7 @@ struct Following {
     struct Part {
         Vec<Dim> normal, dual;  // dual_k . n_l = 1 for k = l, else 0
         int motion;             // -1: at rest
+        int ride = -1;          // of Topology::rides: along with the solid (riders.hpp), beside what the motion gives
     };
     std::array<Part, Dim> part;
     int count = 0;
@@ -26,6 +28,7 @@ struct NodeConstraints {
     std::vector<Following<Dim>> following;
     std::vector<RigidStep<Dim>> motion;  // over the step, of the patches, then of nodes that inlets drive
     std::vector<RigidBody<Dim>> bodies;  // whose nodes move together (rigidBodies.hpp)
+    std::vector<Rider<Dim>> riders;      // of the fluid on solids; they take what is held from them, too
 
     /// The part of u that node i may perform.
     Vec<Dim> project(int i, const Vec<Dim>& u) const { return freedom[i].project(u); }
@@ -59,7 +62,8 @@ private:
 /// Constraints of all nodes for the step from t0 to t1. On symmetry patches normals come from the reference positions
 /// X; those that differ by less than 20 degrees are one. A fluid node on a slip wall slides over it, along the edge of
 /// two; on a no-slip wall it sticks, except at the contact line, which could not move otherwise. Clamps hold before
-/// walls. What is held follows the motion of its patch; at openings see holdAtOpening (constraints.cpp).
+/// walls. What is held follows the motion of its patch; at openings see holdAtOpening (constraints.cpp). On a solid it
+/// is the normal that its face has at t1, by its nodes' velocities of t0.
 template <int Dim>
 NodeConstraints<Dim> nodeConstraints(const Mesh<Dim>& mesh, const BoundaryConditions<Dim>& conditions,
                                      const Topology<Dim>& topology, const Nodes<Dim>& nodes, double t0, double t1);

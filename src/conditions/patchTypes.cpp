@@ -9,18 +9,20 @@ PatchType noSlipPatch();
 PatchType clampedPatch();
 PatchType symmetryPatch();
 PatchType tractionPatch();
+PatchType slipInterfacePatch();
 PatchType inletPatch();
 PatchType outletPatch();
 
 const std::vector<PatchType>& patchTypes() {
     static const std::vector<PatchType> types{
-        slipPatch(),      //
-        noSlipPatch(),    //
-        clampedPatch(),   //
-        symmetryPatch(),  //
-        tractionPatch(),  //
-        inletPatch(),     //
-        outletPatch(),    //
+        slipPatch(),           //
+        noSlipPatch(),         //
+        clampedPatch(),        //
+        symmetryPatch(),       //
+        tractionPatch(),       //
+        slipInterfacePatch(),  //
+        inletPatch(),          //
+        outletPatch(),         //
     };
     return types;
 }

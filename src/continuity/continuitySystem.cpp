@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/parallel.hpp"
+#include "continuity/riderColumns.hpp"
 #include "continuity/stabilisation.hpp"
 #include "linear/multigrid.hpp"
 #include "linear/solvers.hpp"
@@ -76,17 +77,24 @@ int sharedVelocities(const NodeToNodes& ring, const SolidDofs<Dim>& dofs, int i)
 
 /// Where the columns start, from the neighbours in the fluid and the matrix of the solid.
 template <int Dim>
-std::vector<int> columnStarts(const NodeToNodes& ring, const Unknowns& u, const SolidDofs<Dim>& dofs,
-                              const SymmetricMatrix& solid) {
+std::vector<int> columnStarts(const NodeToNodes& ring, const Unknowns& u, const SolidBlock<Dim>& block,
+                              const RiderColumns<Dim>& riders) {
+    const auto& [dofs, solid] = block;
+    const auto ownUnknowns = [&](int node) {  // where nothing rides, each node's own
+        return riders.any() && dofs.local[node] >= 0 ? 0 : nVelocities<Dim>(u, dofs, node);
+    };
     std::vector<int> start(u.n + 1, 1);  // the diagonals
     start[0] = 0;
     for (std::size_t i = 0; i < u.pressure.size(); ++i) {
         const int p = u.pressure[i];
         if (p < 0) continue;
-        start[p + 1] += nVelocities<Dim>(u, dofs, static_cast<int>(i));
+        start[p + 1] += ownUnknowns(static_cast<int>(i));
         for (int s = ring.start[i]; s < ring.start[i + 1]; ++s)
-            start[p + 1] += (u.pressure[ring.node[s]] > p) + nVelocities<Dim>(u, dofs, ring.node[s]);
-        if (!dofs.bodies.empty()) start[p + 1] -= sharedVelocities<Dim>(ring, dofs, static_cast<int>(i));
+            start[p + 1] += (u.pressure[ring.node[s]] > p) + ownUnknowns(ring.node[s]);
+        if (riders.any())
+            start[p + 1] += riders.count(ring, static_cast<int>(i));
+        else if (!dofs.bodies.empty())
+            start[p + 1] -= sharedVelocities<Dim>(ring, dofs, static_cast<int>(i));
     }
     for (int j = 0; j < solid.n; ++j) start[u.nPressure + j + 1] = solid.start[j + 1] - solid.start[j];
     for (int j = 0; j < u.n; ++j) start[j + 1] += start[j];
@@ -118,6 +126,7 @@ struct Parts {
     const FluidPhase<Dim>& phase;
     const Stabilisation& stabilisation;
     const SolidBlock<Dim>& solid;
+    const RiderColumns<Dim>& riders;
     const Unknowns& u;
 };
 
@@ -134,6 +143,11 @@ void writeColumn(const PressureColumn<Dim>& column, int i, const Parts<Dim>& par
     for (std::size_t k = 0; k < column.node.size(); ++k)
         if (u.pressure[column.node[k]] >= u.pressure[i]) put(u.pressure[column.node[k]], column.K[k]);
     for (const bool ofSolid : {true, false}) {
+        if (ofSolid && parts.riders.any()) {
+            for (const auto& [unknown, value] : parts.riders.entries(i, column.node, column.B))
+                put(u.nPressure + unknown, value);
+            continue;
+        }
         for (std::size_t k = 0; k < column.node.size(); ++k) {
             const int node = column.node[k];
             if ((dofs.local[node] >= 0) != ofSolid || dofs.ofBody(node)) continue;
@@ -221,7 +235,7 @@ void addSolid(const Parts<Dim>& parts, SymmetricMatrix& A) {
 /// Weak p = 0 and the mass of the surface's velocities.
 template <int Dim>
 void addFreeSurface(const Parts<Dim>& parts, const Points<Dim>& x, SymmetricMatrix& A) {
-    const auto& [step, controls, phase, stabilisation, solid, u] = parts;
+    const auto& [step, controls, phase, stabilisation, solid, riders, u] = parts;
     const auto& [tau, projected] = stabilisation;
     const auto& [problem, topology, cells, domains] = std::tie(step.problem, step.topology, phase.cells, phase.domains);
     for (const auto& face : topology.faces) {
@@ -291,10 +305,11 @@ ContinuitySystem<Dim>::ContinuitySystem(const Step<Dim>& step, const ContinuityC
     n_ = u.n;
     if (n_ == 0) return;
 
-    const Parts<Dim> of{step, controls, fluid, stabilisation, solid, u};
+    const RiderColumns<Dim> riders(step, solid.dofs, x);
+    const Parts<Dim> of{step, controls, fluid, stabilisation, solid, riders, u};
     SymmetricMatrix A;
     A.n = u.n;
-    A.start = columnStarts<Dim>(step.topology.ring, u, solid.dofs, solid.matrix);
+    A.start = columnStarts<Dim>(step.topology.ring, u, solid, riders);
     A.row.resize(A.start[u.n]);
     A.value.resize(A.start[u.n]);
     addCells<Dim>(of, A);

@@ -18,6 +18,9 @@ Points<Dim> supportForces(const Problem<Dim>& problemOfRun, const Controls& cont
     for (int i = 0; i < nodes.size(); ++i) external[i] -= viscous[i];
     auto R = momentumResidual<Dim>(nodalMass<Dim>(fluid, solid), nodes, fluid, solid, external, 1);
     if (controls.momentum.fluidMass() == FluidMass::consistent) addMassDifference<Dim>(fluid, 1, nodes.a, R);
+    if (topology.rides.empty()) return R;
+    const double now = state.time.value;
+    handOver<Dim>(nodeConstraints<Dim>(mesh, problem.conditions, topology, nodes, now, now).riders, R);
     return R;
 }
 

@@ -45,8 +45,8 @@ FaceForce<Dim> faceForce(const Problem<Dim>& problem, const State<Dim>& state, c
         force.viscous[i] = traction / Dim;
         if (!slips) continue;
         const int node = face.nodes[i];
-        const Vec<Dim> u =
-            slidingVelocity<Dim>(problem, face.patch, area.normalized(), state.nodes.x[node], state.nodes.v[node]);
+        const Vec<Dim> u = slidingVelocity<Dim>(problem, face.patch, area.normalized(), state.nodes.x[node],
+                                                state.nodes.v[node] - face.under[static_cast<std::size_t>(i)]);
         const Vec<Dim> friction = area.norm() / Dim * wallFriction<Dim>(problem, face.patch, rho, u);
         force.viscous[i] -= friction;
         force.dissipation -= friction.dot(u);

@@ -50,7 +50,7 @@ FluidForce fluidForce(const Problem<Dim>& problemOfRun, const State<Dim>& state,
     FluidForce sum;
     const auto topology = makeTopology<Dim>(state.mesh, problem.conditions.kind, state.nodes.x, state.nodes.wall);
     for (const auto& face : wetFaces<Dim>(state, topology)) {
-        if (!(face.patch >= 0 ? contains(patches, face.patch) : contains(materials, face.solid))) continue;
+        if (!contains(patches, face.patch) && !contains(materials, face.solid)) continue;
         const auto force = faceForce<Dim>(problem, state, face);
         for (std::size_t i = 0; i < Dim; ++i) {
             const Eigen::Vector3d x = padded<Dim>(state.nodes.x[face.nodes[i]]);
@@ -96,7 +96,7 @@ void Forces<Dim>::sortNames(const State<Dim>& state) {
     for (const auto& patch : state.mesh.patches) names.push_back(patch.name);
     for (const auto& name : entries_.patches) {
         const int k = indexOf("patches", name, "patch", names);
-        (isWall(problem_->conditions.kind[k]) ? walls_ : supports_).push_back(k);
+        (holdsFluid(problem_->conditions.kind[k]) ? walls_ : supports_).push_back(k);
         if (problem_->conditions.type[k]->loads)
             dict_.fatal("patches", "'" + name + "' is a loaded edge: its force is known, and it bears nothing");
     }

@@ -36,10 +36,11 @@ EnergyPowers wallPower(const Problem<Dim>& problem, const Controls& controls, co
     for (const auto& face : wetFaces<Dim>(state, topology)) {
         if (face.patch < 0) continue;
         const auto force = faceForce<Dim>(problem, state, face);
+        result.viscous += force.dissipation;
+        if (face.solid >= 0) continue;
         for (std::size_t i = 0; i < Dim; ++i)
             power -= (force.pressure[i] + force.viscous[i]).dot(state.nodes.v[face.nodes[i]]);
         power += force.dissipation;
-        result.viscous += force.dissipation;
     }
     std::vector<int> clamped;
     for (std::size_t k = 0; k < state.mesh.patches.size(); ++k)

@@ -14,8 +14,9 @@ template <int Dim>
 struct WetFace {
     Face<Dim> nodes{};
     int cell = -1;   // of the fluid
-    int patch = -1;  // the wall's patch, -1 on solids
+    int patch = -1;  // of the wall, or of the solid over which fluid slides; -1 where it sticks to solids
     int solid = -1;  // the solid's material (index into Mesh::materials), -1 on walls
+    std::array<Vec<Dim>, Dim> under{};  // velocity of the solid under the nodes that slide over it, else zero
 };
 
 /// In the order of the fluid's faces. Symmetry patches are left out.

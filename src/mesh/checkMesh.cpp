@@ -65,12 +65,13 @@ void findCrowdedFaces(const Points<Dim>& x, const std::vector<Simplex<Dim>>& cel
 }
 
 template <int Dim>
-void findTwins(const Mesh<Dim>& mesh, const Points<Dim>& x, const std::vector<double>& h,
+void findTwins(const Mesh<Dim>& mesh, const Topology<Dim>& topology, const Points<Dim>& x, const std::vector<double>& h,
                std::vector<MeshFault<Dim>>& faults) {
     std::set<int> used;
     for (const auto* cells : {&mesh.fluid, &mesh.solid})
         for (const auto& s : cells->nodes) used.insert(s.begin(), s.end());
     std::vector<int> nodes(used.begin(), used.end());
+    std::erase_if(nodes, [&](int i) { return topology.isUnderSkin(i); });
     std::sort(nodes.begin(), nodes.end(), [&](int i, int j) { return x[i][0] < x[j][0]; });
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         const double near = 1e-3 * h[nodes[i]];
@@ -140,7 +141,7 @@ MeshCheck<Dim> checkMesh(const Mesh<Dim>& mesh, const Topology<Dim>& topology, c
     check.solid = shapesOf<Dim>(x, mesh.solid.nodes, check.faults);
     findCrowdedFaces<Dim>(x, mesh.fluid.nodes, check.faults);
     findCrowdedFaces<Dim>(x, mesh.solid.nodes, check.faults);
-    findTwins<Dim>(mesh, x, h, check.faults);
+    findTwins<Dim>(mesh, topology, x, h, check.faults);
     findGaps<Dim>(mesh, topology, x, h, check.gaps);
     for (const auto& face : topology.faces) {
         const double measure = faceArea<Dim>(x, face.nodes).norm();

@@ -7,6 +7,7 @@
 
 #include "mesh/contacts.hpp"
 #include "mesh/distance.hpp"
+#include "mesh/nearestOnFace.hpp"
 #include "mesh/simplex.hpp"
 #include "mesh/wallBins.hpp"
 
@@ -87,6 +88,38 @@ void findTouching(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, co
     }
 }
 
+/// Which nodes of solids are under skins: those without a face of their own in the fluid.
+template <int Dim>
+void findUnderSkins(const Mesh<Dim>& mesh, Topology<Dim>& t) {
+    std::set<Face<Dim>> skins;
+    for (const auto& wall : t.walls)
+        if (wall.patch >= 0 && t.kinds[wall.patch] == PatchKind::skin) skins.insert(sorted<Dim>(wall.nodes));
+    if (skins.empty()) return;
+    for (const auto& face : skins)
+        for (const int node : face) t.wallPoint[node] = 1;
+    for (const auto& face : boundaryFaces<Dim>(mesh.solid.nodes, t.solid)) {
+        if (skins.count(sorted<Dim>(face.nodes)) > 0 || t.liesOnWall(face.nodes)) continue;
+        for (const int node : face.nodes) t.wallPoint[node] = 0;
+    }
+}
+
+/// On skins nodes of the fluid ride; those of the solid under them are geometry.
+template <int Dim>
+void setSkins(const Mesh<Dim>& mesh, const Points<Dim>& x, Topology<Dim>& t) {
+    t.rides.clear();
+    if (std::find(t.kinds.begin(), t.kinds.end(), PatchKind::skin) == t.kinds.end()) return;
+    findUnderSkins<Dim>(mesh, t);
+    for (int i = 0; i < t.nNodes(); ++i)
+        for (const int wall : Supports<Dim>(t.supports[i])) {
+            if (wall < 0 || !t.isSkin(wall)) continue;
+            const Face<Dim>& face = t.walls[wall].nodes;
+            if (t.onWall[i])
+                t.rides.push_back({i, wall, face, nearestWeights<Dim>(x, face, x[i])});
+            else if (t.isUnderSkin(i))
+                dropSupport(t.supports[i], wall);
+        }
+}
+
 /// The wall face under a face of the fluid, -1: none: a support of the first node with which all have a joined one, so
 /// that the face has the normal of the walls under its nodes.
 template <int Dim>
@@ -105,6 +138,24 @@ int wallUnder(const Topology<Dim>& t, const Points<Dim>& x, const Face<Dim>& fac
     return -1;
 }
 
+/// The face of a skin under a face of the fluid whose nodes all ride on its region, -1: none. Edges of solids meet
+/// others within a few cells: a node there rides on both.
+template <int Dim>
+int skinUnder(const Topology<Dim>& t, const Points<Dim>& x, const Face<Dim>& face) {
+    const Vec<Dim> own = faceArea<Dim>(x, face).normalized();
+    for (const int wall : t.supports[face[0]]) {
+        if (wall < 0 || !t.isSkin(wall)) continue;
+        const bool all = std::all_of(face.begin(), face.end(), [&](int node) {
+            return std::any_of(t.supports[node].begin(), t.supports[node].end(), [&](int other) {
+                return other >= 0 && t.walls[other].region == t.walls[wall].region &&
+                       own.dot(inwardNormal<Dim>(x, t.walls[other].nodes)) < -0.5;
+            });
+        });
+        if (all) return wall;
+    }
+    return -1;
+}
+
 /// What depends on the walls that hold nodes; interfaces are known.
 template <int Dim>
 void setWalls(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const Points<Dim>& x,
@@ -115,12 +166,14 @@ void setWalls(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const 
         if (!t.onWall[i]) t.supports[i] = unsupported<Dim>();
     }
     findTouching<Dim>(mesh, kinds, x, reach, t);
+    setSkins<Dim>(mesh, x, t);
     const auto symmetry = symmetryFaces<Dim>(mesh, kinds);
     t.freeSurface.assign(t.nNodes(), 0);
     for (auto& face : t.faces) {
         if (face.kind == FaceKind::interface) continue;
         const bool onSymmetry = !symmetry.empty() && symmetry.count(sorted<Dim>(face.nodes)) > 0;
-        face.wall = onSymmetry ? -1 : wallUnder<Dim>(t, x, face.nodes);
+        face.wall = onSymmetry || t.rides.empty() ? -1 : skinUnder<Dim>(t, x, face.nodes);
+        if (face.wall < 0 && !onSymmetry) face.wall = wallUnder<Dim>(t, x, face.nodes);
         face.kind = onSymmetry || face.wall >= 0 ? FaceKind::wall : FaceKind::freeSurface;
         if (face.kind == FaceKind::freeSurface)
             for (int node : face.nodes) t.freeSurface[node] = 1;
@@ -144,9 +197,11 @@ Topology<Dim> makeTopology(const Mesh<Dim>& mesh, const std::vector<PatchKind>& 
     t.onWall.assign(nNodes, 0);
     for (int i = 0; i < nNodes; ++i) t.onSolid[i] = t.solid.count(i) > 0;
     t.walls = wallFaces<Dim>(mesh.patches, wallPatches(kinds), x);
+    for (auto& face : t.walls)  // the edge of a solid is as its cells are
+        if (face.patch >= 0 && kinds[face.patch] == PatchKind::skin) face.bent = false;
     t.convex = convexPairs<Dim>(t.walls);
     for (const auto& face : t.walls)
-        if (face.patch >= 0)
+        if (face.patch >= 0 && isWall(kinds[face.patch]))
             for (const int node : face.nodes) t.wallPoint[node] = 1;
     const auto solid = solidFaces<Dim>(mesh, t.solid);
     for (const auto& face : boundary) {

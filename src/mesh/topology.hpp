@@ -6,6 +6,7 @@
 
 #include "mesh/adjacency.hpp"
 #include "mesh/mesh.hpp"
+#include "mesh/ride.hpp"
 #include "mesh/wallFaces.hpp"
 
 namespace pfem {
@@ -15,16 +16,20 @@ enum class PatchKind {
     wall,      // rigid: fluid nodes land on it and leave it
     symmetry,  // a plane that cuts a body
     edge,      // of a solid
+    skin,      // of a solid: fluid nodes land on it and leave it as a wall
     opening    // a wall through which fluid comes or goes: nodes on it are held as on walls, but pass through it
 };
 
 /// Does it hold fluid nodes (openings do)?
 inline bool isWall(PatchKind kind) { return kind == PatchKind::wall || kind == PatchKind::opening; }
 
-/// Which patches are walls.
+/// Do nodes of the fluid slide over it?
+inline bool holdsFluid(PatchKind kind) { return isWall(kind) || kind == PatchKind::skin; }
+
+/// Which patches do.
 inline std::vector<bool> wallPatches(const std::vector<PatchKind>& kinds) {
     std::vector<bool> walls;
-    for (const PatchKind kind : kinds) walls.push_back(isWall(kind));
+    for (const PatchKind kind : kinds) walls.push_back(holdsFluid(kind));
     return walls;
 }
 
@@ -70,10 +75,11 @@ struct Topology {
     std::vector<std::pair<int, int>> convex;  // regions of the walls that meet at a convex edge
     std::vector<Supports<Dim>> supports;      // Nodes::wall; of solids' nodes: the walls that they touch
     std::vector<unsigned char> onSolid;       // node of a solid body
-    std::vector<unsigned char> wallPoint;     // of a rigid wall: geometry, no node of the fluid
+    std::vector<unsigned char> wallPoint;     // of a wall, or a solid under a skin: geometry, no node of the fluid
     std::vector<unsigned char> onWall;        // of the fluid, held by a rigid wall
     std::vector<unsigned char> freeSurface;   // node of a free-surface face
     std::vector<PatchKind> kinds;             // of the patches
+    std::vector<Ride<Dim>> rides;             // on skins, by ascending nodes
 
     int nNodes() const { return static_cast<int>(onSolid.size()); }
     bool wet(int node) const { return fluid.count(node) > 0; }
@@ -81,7 +87,9 @@ struct Topology {
     bool interface(int node) const { return wet(node) && onSolid[node]; }
     bool ofFluid(int node) const { return !onSolid[node] && !wallPoint[node]; }  // and of nothing else
 
-    bool isOpening(int wall) const { return walls[wall].patch >= 0 && kinds[walls[wall].patch] == PatchKind::opening; }
+    bool isOpening(int wall) const { return isOf(wall, PatchKind::opening); }
+    bool isSkin(int wall) const { return isOf(wall, PatchKind::skin); }
+    bool isUnderSkin(int node) const { return onSolid[node] && wallPoint[node]; }
     /// Of the fluid, held by an inlet or an outlet (and perhaps by walls, too).
     bool onOpening(int node) const {
         const auto& own = supports[node];
@@ -107,6 +115,17 @@ struct Topology {
             if (own >= 0 && joined(own, face)) return own;
         return -1;
     }
+    /// The node's ride on a skin that is joined with a wall face, null: none.
+    const Ride<Dim>* rideOn(int node, int face) const {
+        auto ride =
+            std::lower_bound(rides.begin(), rides.end(), node, [](const Ride<Dim>& r, int i) { return r.node < i; });
+        for (; ride != rides.end() && ride->node == node; ++ride)
+            if (joined(ride->wall, face)) return &*ride;
+        return nullptr;
+    }
+
+private:
+    bool isOf(int wall, PatchKind kind) const { return walls[wall].patch >= 0 && kinds[walls[wall].patch] == kind; }
 };
 
 /// `kinds`: one per patch of the mesh; x, wall: of the nodes. A fluid face is an interface where a solid face

@@ -3,21 +3,38 @@
 #include <algorithm>
 
 #include "mesh/simplex.hpp"
+#include "mesh/skinPoints.hpp"
 
 namespace pfem {
 
 namespace {
 
-/// Is the face a chord of a bent wall, or of two round a convex edge? Solids bear what is on their nodes.
+/// Is the face a chord of a bent rigid wall, or of two round a convex edge? Solids bear what is on their nodes.
 template <int Dim>
 bool isChord(const Topology<Dim>& topology, const FluidFace<Dim>& face) {
-    if (face.wall < 0) return false;
+    if (face.wall < 0 || topology.isSkin(face.wall)) return false;
     if (std::any_of(face.nodes.begin(), face.nodes.end(), [&](int node) { return topology.onSolid[node]; }))
         return false;
     return std::any_of(face.nodes.begin(), face.nodes.end(), [&](int node) {
         const int own = topology.supportOn(node, face.wall);
         return topology.walls[own].bent || topology.walls[own].region != topology.walls[face.wall].region;
     });
+}
+
+/// Points on a face on a solid; of others none.
+template <int Dim>
+std::vector<SkinPoint<Dim>> pointsOnSolid(const Topology<Dim>& topology, const Points<Dim>& x,
+                                          const FluidFace<Dim>& face) {
+    if (face.wall < 0 || !topology.isSkin(face.wall)) return {};
+    return skinPoints<Dim>(topology, x, face);
+}
+
+/// The mean of the face's values by these weights.
+template <int Dim>
+double meanOf(const std::vector<double>& value, const Face<Dim>& face, const Vec<Dim>& weights) {
+    double sum = 0;
+    for (int k = 0; k < Dim; ++k) sum += weights[k] * value[face[k]];
+    return sum;
 }
 
 /// int_f N_I N_J dS = |f| (1 + delta_IJ)/(Dim (Dim + 1)).
@@ -31,8 +48,11 @@ double weight(int I, int J) {
 template <int Dim>
 void addChordPressure(const Topology<Dim>& topology, const Nodes<Dim>& nodes, Points<Dim>& force) {
     for (const auto& face : topology.faces) {
-        if (!isChord<Dim>(topology, face)) continue;
+        const auto points = pointsOnSolid<Dim>(topology, nodes.x, face);
+        if (points.empty() && !isChord<Dim>(topology, face)) continue;
         const Vec<Dim> area = faceArea<Dim>(nodes.x, face.nodes);
+        for (const auto& point : points)
+            point.onSolid.spread(point.part * meanOf<Dim>(nodes.p, face.nodes, point.onFluid) * area, force);
         for (int J = 0; J < Dim; ++J)
             for (int I = 0; I < Dim; ++I) force[face.nodes[J]] -= weight<Dim>(I, J) * nodes.p[face.nodes[I]] * area;
     }
@@ -42,10 +62,15 @@ template <int Dim>
 void subtractChordFlux(const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints, const Nodes<Dim>& nodes,
                        std::vector<double>& residual) {
     for (const auto& face : topology.faces) {
-        if (!isChord<Dim>(topology, face)) continue;
+        const auto points = pointsOnSolid<Dim>(topology, nodes.x, face);
+        if (points.empty() && !isChord<Dim>(topology, face)) continue;
         const Vec<Dim> area = faceArea<Dim>(nodes.x, face.nodes);
+        for (const auto& point : points)
+            for (int I = 0; I < Dim; ++I)
+                residual[face.nodes[I]] += point.part * point.onFluid[I] * area.dot(point.onSolid.under(nodes.v));
         for (int J = 0; J < Dim; ++J) {
-            const double flux = area.dot(constraints.project(face.nodes[J], nodes.v[face.nodes[J]]));
+            const Vec<Dim>& v = nodes.v[face.nodes[J]];
+            const double flux = area.dot(points.empty() ? constraints.project(face.nodes[J], v) : v);
             for (int I = 0; I < Dim; ++I) residual[face.nodes[I]] -= weight<Dim>(I, J) * flux;
         }
     }

@@ -14,7 +14,7 @@ Points<Dim> surfaceStiffness(const Problem<Dim>& problem, const Cells<Dim>& flui
     if (g == 0) return stiffness;
     const Vec<Dim> direction = problem.gravity.cwiseAbs2() / (g * g);
     for (const auto& face : topology.faces) {
-        if (face.kind != FaceKind::freeSurface && face.kind != FaceKind::interface) continue;
+        if (face.kind == FaceKind::wall && (face.wall < 0 || !topology.isSkin(face.wall))) continue;
         const double pressing = -problem.gravity.dot(faceArea<Dim>(x, face.nodes));  // |face| times -g . n
         const double share =
             0.5 * midpoint.dt * problem.fluid(fluid.material[face.cell]).rho * std::max(0.0, pressing) / Dim;

@@ -52,6 +52,19 @@ void moveBodies(const Step<Dim>& step, Trial<Dim>& trial) {
     }
 }
 
+/// What rides on solids, when these have moved.
+template <int Dim>
+void moveRiders(const Step<Dim>& step, Nodes<Dim>& end) {
+    const auto& [constraints, old] = std::tie(step.constraints, step.old);
+    if (constraints.riders.empty()) return;
+    carryRiders<Dim>(constraints.riders, end.v);
+    for (const auto& rider : constraints.riders) {
+        const int i = rider.ride.node;
+        end.x[i] += rider.carried(end.x) - rider.carried(old.x);
+        end.a[i] = constraints.combine(i, end.a[i], (end.v[i] - old.v[i]) / step.dt());
+    }
+}
+
 /// Positions and velocities in the middle of the step, and its acceleration.
 template <int Dim>
 void moveMiddle(const Step<Dim>& step, Trial<Dim>& trial) {
@@ -103,6 +116,7 @@ Trial<Dim> firstTrial(const Step<Dim>& step) {
     for (const auto& body : step.constraints.bodies) trial.twist.push_back(body.twist);
     moveEnd(step, trial.end);
     moveBodies(step, trial);
+    moveRiders(step, trial.end);
     moveMiddle(step, trial);
     trial.excess.resize(old.p.size());
     parallelFor(old.size(),
@@ -122,6 +136,7 @@ void changeVelocity(const Step<Dim>& step, double part, const Points<Dim>& dv, T
     parallelFor(trial.end.size(), [&](int i) { trial.end.v[i] += part * dv[i]; });
     moveEnd(step, trial.end);
     moveBodies(step, trial);
+    moveRiders(step, trial.end);
     moveMiddle(step, trial);
     followDepth<Dim>(step.topology, trial);
 }

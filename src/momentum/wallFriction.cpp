@@ -33,8 +33,12 @@ void addWallFriction(const Problem<Dim>& problem, const Cells<Dim>& fluid, const
         const double measure = area.norm(), rho = problem.fluid(fluid.material[face.cell]).rho;
         if (conditions.friction[patch] == 0 || measure == 0) continue;
         for (int node : face.nodes) {
-            const Vec<Dim> u = slidingVelocity<Dim>(problem, patch, area / measure, nodes.x[node], nodes.v[node]);
-            force[node] += measure / Dim * wallFriction<Dim>(problem, patch, rho, u);
+            const auto* ride = topology.rideOn(node, face.wall);
+            const Vec<Dim> v = ride ? Vec<Dim>(nodes.v[node] - ride->under(nodes.v)) : nodes.v[node];
+            const Vec<Dim> u = slidingVelocity<Dim>(problem, patch, area / measure, nodes.x[node], v);
+            const Vec<Dim> friction = measure / Dim * wallFriction<Dim>(problem, patch, rho, u);
+            force[node] += friction;
+            if (ride) ride->spread(-friction, force);
         }
     }
 }

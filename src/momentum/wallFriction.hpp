@@ -11,7 +11,7 @@
 
 namespace pfem {
 
-/// u of a fluid node at x with velocity v; n: unit normal of the wall [m/s].
+/// u of a fluid node at x with velocity v, on solids relative to them; n: unit normal of the wall [m/s].
 template <int Dim>
 Vec<Dim> slidingVelocity(const Problem<Dim>& problem, int patch, const Vec<Dim>& n, const Vec<Dim>& x,
                          const Vec<Dim>& v);
@@ -20,7 +20,8 @@ Vec<Dim> slidingVelocity(const Problem<Dim>& problem, int patch, const Vec<Dim>&
 template <int Dim>
 Vec<Dim> wallFriction(const Problem<Dim>& problem, int patch, double rho, const Vec<Dim>& u);
 
-/// Add the friction on all wet faces of walls to the external force, |face|/d of each node's traction.
+/// Add the friction on all wet faces of walls to the external force, |face|/d of each node's traction; solids get its
+/// reaction.
 template <int Dim>
 void addWallFriction(const Problem<Dim>& problem, const Cells<Dim>& fluid, const Topology<Dim>& topology,
                      const Nodes<Dim>& nodes, Points<Dim>& force);

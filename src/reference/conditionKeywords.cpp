@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <iterator>
+
 #include "conditions/patchType.hpp"
 #include "reference/keywords.hpp"
 
@@ -10,7 +13,11 @@ std::vector<KeywordTable> conditionKeywords() {
     std::string meanings;
     for (const auto& type : patchTypes()) meanings += (meanings.empty() ? "" : "; ") + type.name + ": " + type.meaning;
     std::vector<EntryDescription> rows{{"type", "word", "-", "required", meanings, oneOf(typeNames()).text}};
-    for (const auto& type : patchTypes()) rows.insert(rows.end(), type.entries.begin(), type.entries.end());
+    const auto isNew = [&](const EntryDescription& entry) {
+        return std::none_of(rows.begin(), rows.end(), [&](const auto& row) { return row.name == entry.name; });
+    };
+    for (const auto& type : patchTypes())
+        std::copy_if(type.entries.begin(), type.entries.end(), std::back_inserter(rows), isNew);
     rows.push_back({"motion", "dictionary", "-", "at rest", "how a wall or a clamped patch moves", ""});
     return {
         {conditions, "", "One dictionary per wall and per named patch of system/meshDict.", rows},

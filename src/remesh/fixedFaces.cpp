@@ -48,7 +48,7 @@ std::vector<OnWall> nodesOnWalls(const State<2>& state, const Topology<2>& topol
     };
     for (int i = 0; i < state.nodes.size(); ++i) add(i, state.nodes.wall[i]);
     for (int i = 0; i < topology.nNodes(); ++i)
-        if (topology.onSolid[i]) add(newIndex[i], topology.supports[i]);
+        if (topology.onSolid[i] && !topology.isUnderSkin(i)) add(newIndex[i], topology.supports[i]);
     std::sort(found.begin(), found.end(), [](const OnWall& a, const OnWall& b) {
         return std::tie(a.region, a.order, a.along, a.node) < std::tie(b.region, b.order, b.along, b.node);
     });

@@ -55,7 +55,8 @@ private:
         const int n = static_cast<int>(moved_.x.size());
         std::vector<int> corners;
         for (int i = 0; i < n; ++i)
-            if (isSupported(t.supports[i]) && (t.onSolid[i] || nSupports(t.supports[i]) > 1)) corners.push_back(i);
+            if (isSupported(t.supports[i]) && !t.isUnderSkin(i) && (t.onSolid[i] || nSupports(t.supports[i]) > 1))
+                corners.push_back(i);
         for (int i = 0; i < n; ++i) {
             if (!t.onWall[i] || kept_[i]) continue;
             for (const int corner : corners)

@@ -117,9 +117,10 @@ CandidateNodes<Dim> candidateNodes(const State<Dim>& state, const MovedMesh<Dim>
     return c;
 }
 
-/// Solid nodes off the boundary and points of walls do not take part in the triangulation.
+/// Solid nodes off the boundary or under a skin, and points of walls, do not take part in the triangulation.
 template <int Dim>
-std::vector<int> activeNodes(const State<Dim>& state, const std::vector<PatchKind>& kinds) {
+std::vector<int> activeNodes(const State<Dim>& state, const std::vector<PatchKind>& kinds,
+                             const Topology<Dim>& topology, const std::vector<int>& newIndex) {
     const auto around = nodeToCells<Dim>(state.mesh.solid.nodes, state.nodes.size());
     std::vector<unsigned char> active(state.nodes.size(), 1);
     for (std::size_t k = 0; k < kinds.size(); ++k)
@@ -129,6 +130,8 @@ std::vector<int> activeNodes(const State<Dim>& state, const std::vector<PatchKin
         for (int node : s) active[node] = 0;
     for (const auto& face : boundaryFaces<Dim>(state.mesh.solid.nodes, around))
         for (int node : face.nodes) active[node] = 1;
+    for (int i = 0; i < topology.nNodes(); ++i)
+        if (topology.isUnderSkin(i)) active[newIndex[i]] = 0;
     std::vector<int> list;
     for (int i = 0; i < state.nodes.size(); ++i)
         if (active[i]) list.push_back(i);
@@ -189,7 +192,7 @@ RemeshReport<Dim> remesh(RemeshTask<Dim> task, Triangulator<Dim>& triangulator, 
     parallelInvoke(
         state.nodes.size(),
         [&] {
-            triangulator.follow(state.nodes.x, state.nodes.id, activeNodes<Dim>(state, kinds),
+            triangulator.follow(state.nodes.x, state.nodes.id, activeNodes<Dim>(state, kinds, moved.topology, newIndex),
                                 fixedFaces<Dim>(state, kinds, moved.topology, newIndex),
                                 surfaceFaces<Dim>(controls, plan, newIndex));
         },

@@ -115,7 +115,7 @@ void checkConditions(const Dictionary& dict, const BoundaryConditions<Dim>& cond
         };
         if (isWall(type.kind) && roles[k].onSolid)
             entry.fatal("type", "'" + name + "' is the edge of a solid: it can be " + list(false));
-        if (!isWall(type.kind) && roles[k].wall)
+        if (!holdsFluid(type.kind) && roles[k].wall)
             entry.fatal("type", "'" + name + "' is a rigid wall: it can be " + list(true));
         if (type.onlyOfSolids && roles[k].offSolid)
             entry.fatal("type", "'" + name + "' is not the edge of a solid: only solids can be clamped or loaded");

@@ -110,8 +110,16 @@ void strike(const Problem<Dim>& problem, const std::vector<Simplex<Dim>>& contac
     const auto constraints = holdOf<Dim>(problem, state);
     const auto mass = fluidMass<Dim>(problem, state.mesh.fluid, nodes.x);
     const double before = fastestOf<Dim>(struck, nodes.v);
+    std::vector<unsigned char> meets(nodes.size(), 0);
+    for (const auto& s : struck)
+        for (int i : s) meets[i] = 1;
+    Points<Dim> brought;  // to solids, which get it in the next step
+    for (const auto& rider : constraints.riders)
+        brought.push_back(rider.own(nodes.v[rider.ride.node]) - rider.carried(nodes.v));
     for (const auto& s : struck)  // what a wall holds from now on strikes nobody
         for (int i : s) nodes.v[i] = constraints.velocity(i, nodes.x[i], nodes.v[i]);
+    for (const auto& rider : constraints.riders)
+        if (meets[rider.ride.node]) nodes.v[rider.ride.node] += rider.carried(nodes.v);
     const Points<Dim> held = nodes.v;
     const auto speed =
         largestTogether<Dim>(struck, nodes.size(), [&](const auto& s) { return fastestOf<Dim>({s}, held); });
@@ -134,6 +142,8 @@ void strike(const Problem<Dim>& problem, const std::vector<Simplex<Dim>>& contac
     // walls that move in several ways could play ball with a node
     const double limit = before + fastestHold<Dim>(struck, held, constraints);
     if (fastestOf<Dim>(struck, nodes.v) > limit * (1 + 1e-12)) nodes.v = held;
+    for (std::size_t k = 0; k < brought.size(); ++k)
+        if (const int i = constraints.riders[k].ride.node; meets[i]) nodes.v[i] += brought[k];
 }
 
 #define PFEM_INSTANTIATE(D) template void strike<D>(const Problem<D>&, const std::vector<Simplex<D>>&, State<D>&);

@@ -107,10 +107,14 @@ void checkSolidsAtWalls(const Topology<Dim>& topology, const State<Dim>& next) {
     const auto depth = [&](const Face<Dim>& face, const Points<Dim>& x, int i) {
         return faceArea<Dim>(x, face).normalized().dot(x[i] - x[face[0]]);
     };
-    std::vector<WallFace<Dim>> walls = topology.walls;  // with the nodes as they are counted now
+    std::vector<WallFace<Dim>> walls = topology.walls;  // rigid ones, with the nodes as they are counted now
     std::size_t w = 0;
     for (const auto& patch : next.mesh.patches)
-        for (const auto& face : patch.faces) walls[w++].nodes = face;
+        for (const auto& face : patch.faces) {
+            walls[w].nodes = face;
+            if (walls[w].patch >= 0 && topology.isSkin(static_cast<int>(w))) walls[w].patch = -1;
+            ++w;
+        }
     const WallBins<Dim> places(walls, nodes.x);
     std::vector<unsigned char> seen(nodes.x.size(), 0);
     for (int e = 0; e < next.mesh.solid.size(); ++e)

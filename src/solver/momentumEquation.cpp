@@ -4,6 +4,7 @@
 
 #include "base/parallel.hpp"
 #include "momentum/consistentMass.hpp"
+#include "momentum/riderMatrix.hpp"
 #include "momentum/rigidInertia.hpp"
 #include "momentum/surfaceStiffness.hpp"
 #include "solver/scales.hpp"
@@ -17,6 +18,7 @@ MomentumSystem<Dim> MomentumEquation<Dim>::makeSystem(const Controls& controls) 
     block.dofs = solidDofs<Dim>(step_.topology.solid, step_.constraints);
     block.matrix = solidMatrix<Dim>(solid_.solids, solid_.domains, block.dofs, diagonal, step_.old.h, step_.midpoint);
     addRigidMatrix<Dim>(step_, block);
+    addRiders<Dim>(step_.constraints.riders, diagonal, block);
     return MomentumSystem<Dim>(step_, controls.momentum, fluid_, diagonal, std::move(block));
 }
 

@@ -227,12 +227,13 @@ private:
         if (along.norm() > 1e-3) nodes_.x[i] += along * ((apart * nodes_.h[i] - distance) / along.dot(place.normal));
     }
 
-    /// Velocity and acceleration normal to the node's walls are those of the walls.
+    /// Velocity and acceleration normal to the node's walls are those of the walls. Solids get its momentum in the next
+    /// step.
     void keepVelocity(int i) {
         for (auto* values : {&nodes_.v, &nodes_.a}) {
             Freedom<Dim> free;
             for (const int wall : nodes_.wall[i]) {
-                if (wall < 0) continue;
+                if (wall < 0 || topology_.isSkin(wall)) continue;
                 const Face<Dim>& face = topology_.walls[wall].nodes;
                 const Vec<Dim> n = inwardNormal<Dim>(nodes_.x, face), part = free.project(n);
                 if (part.norm() < 1e-6) continue;

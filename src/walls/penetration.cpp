@@ -65,6 +65,8 @@ int returnPenetrating(const Topology<Dim>& topology, double distance, State<Dim>
     int count = 0;
     for (int i = 0; i < nodes.size(); ++i) {
         if (!topology.ofFluid(i) || !solid.contains(nodes.x[i])) continue;
+        const auto& own = nodes.wall[i];
+        if (std::any_of(own.begin(), own.end(), [&](int w) { return w >= 0 && topology.isSkin(w); })) continue;
         int nearest = -1;
         double best = std::numeric_limits<double>::max();
         bins.forEachNear(nodes.x[i], 2 * hMax, [&](int f) {

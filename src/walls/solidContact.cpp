@@ -52,7 +52,7 @@ Scene<Dim> sceneOf(const Mesh<Dim>& mesh, const Topology<Dim>& topology, const N
     scene.body = bodiesOfNodes<Dim>(mesh, nodes.size());
     int regions = 0;
     for (const auto& wall : topology.walls) {
-        if (wall.patch < 0) continue;
+        if (wall.patch < 0 || topology.kinds[wall.patch] == PatchKind::skin) continue;
         scene.obstacles.push_back({wall.nodes, inwardNormal<Dim>(nodes.x, wall.nodes), wall.region, false});
         regions = std::max(regions, wall.region + 1);
     }
@@ -63,7 +63,7 @@ Scene<Dim> sceneOf(const Mesh<Dim>& mesh, const Topology<Dim>& topology, const N
     }
     for (const auto& [i, normal] : scene.own) scene.node.push_back(i);
     for (int i = 0; i < topology.nNodes(); ++i)
-        if (topology.wallPoint[i]) scene.node.push_back(i);
+        if (topology.wallPoint[i] && !topology.onSolid[i]) scene.node.push_back(i);
     return scene;
 }
 

@@ -85,17 +85,17 @@ TEST(BoundaryConditions, patternsAreForPatchesWithoutAnEntryOfTheirOwn) {
     EXPECT_TRUE(moved[0] && moved[1] && moved[2] && !moved[3]);
 }
 
-// What a type says must fit together: walls hold the fluid's nodes, but for outlets, through which they go; other
-// patches hold their own.
+// What a type says must fit together: walls and skins of solids hold the fluid's nodes, but for outlets, through which
+// they go; other patches hold their own.
 TEST(PatchTypes, tableIsSound) {
     std::set<std::string> names;
     for (const auto& type : patchTypes()) {
         EXPECT_TRUE(names.insert(type.name).second) << type.name;
         EXPECT_GT(type.meaning.size(), 5u) << type.name;
-        const bool holds = isWall(type.kind) && type.name != "outlet";
+        const bool holds = holdsFluid(type.kind) && type.name != "outlet";
         EXPECT_EQ(holds, type.wet != Constraint::free) << type.name;
         EXPECT_EQ(holds, type.contactLine != Constraint::free) << type.name;
-        EXPECT_EQ(type.own == Constraint::free, isWall(type.kind) || type.loads) << type.name;
+        EXPECT_EQ(type.own == Constraint::free, holdsFluid(type.kind) || type.loads) << type.name;
         EXPECT_EQ(type.entries.empty(), type.read == nullptr) << type.name;
     }
     EXPECT_EQ(typeList([](const auto& type) { return type.mayMove; }, " and "), "slip, noSlip and clamped");
