@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "mesh/contacts.hpp"
 #include "mesh/distance.hpp"
 #include "mesh/simplex.hpp"
 #include "mesh/wallBins.hpp"
@@ -12,6 +13,8 @@
 namespace pfem {
 
 namespace {
+
+constexpr double touching = 1e-6;  // of a face's size
 
 template <int Dim>
 Face<Dim> sorted(Face<Dim> face) {
@@ -66,9 +69,10 @@ void findContinued(int node, const std::vector<Vec<Dim>>& planes, const Points<D
     }
 }
 
-/// Walls that the nodes of solids' faces touch, to a millionth of the face's size.
+/// Walls that the nodes of solids' faces touch, to `reach` of the face's size.
 template <int Dim>
-void findTouching(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const Points<Dim>& x, Topology<Dim>& t) {
+void findTouching(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const Points<Dim>& x, double reach,
+                  Topology<Dim>& t) {
     if (mesh.solid.nodes.empty()) return;
     const auto planes = symmetryNormals<Dim>(mesh, kinds, x, t.solid);
     const WallBins<Dim> walls(t.walls, x);
@@ -76,7 +80,7 @@ void findTouching(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, co
         const double size = (x[face.nodes[1]] - x[face.nodes[0]]).norm();
         for (const int node : face.nodes) {
             if (isSupported(t.supports[node])) continue;
-            t.supports[node] = walls.supportsAt(x[node], 1e-6 * size);
+            t.supports[node] = walls.supportsAt(x[node], reach * size);
             if (const auto found = planes.find(node); found != planes.end())
                 findContinued<Dim>(node, found->second, x, size, t);
         }
@@ -104,13 +108,13 @@ int wallUnder(const Topology<Dim>& t, const Points<Dim>& x, const Face<Dim>& fac
 /// What depends on the walls that hold nodes; interfaces are known.
 template <int Dim>
 void setWalls(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const Points<Dim>& x,
-              const std::vector<Supports<Dim>>& wall, Topology<Dim>& t) {
+              const std::vector<Supports<Dim>>& wall, double reach, Topology<Dim>& t) {
     t.supports = wall;
     for (int i = 0; i < t.nNodes(); ++i) {
         t.onWall[i] = isSupported(wall[i]) && t.ofFluid(i);
         if (!t.onWall[i]) t.supports[i] = unsupported<Dim>();
     }
-    findTouching<Dim>(mesh, kinds, x, t);
+    findTouching<Dim>(mesh, kinds, x, reach, t);
     const auto symmetry = symmetryFaces<Dim>(mesh, kinds);
     t.freeSurface.assign(t.nNodes(), 0);
     for (auto& face : t.faces) {
@@ -149,14 +153,21 @@ Topology<Dim> makeTopology(const Mesh<Dim>& mesh, const std::vector<PatchKind>& 
         const bool interface = !solid.empty() && solid.count(sorted<Dim>(face.nodes)) > 0;
         t.faces.push_back({face, interface ? FaceKind::interface : FaceKind::freeSurface});
     }
-    setWalls<Dim>(mesh, kinds, x, wall, t);
+    setWalls<Dim>(mesh, kinds, x, wall, touching, t);
     return t;
 }
 
 template <int Dim>
 Topology<Dim> withWalls(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const Points<Dim>& x,
                         const std::vector<Supports<Dim>>& wall, Topology<Dim> topology) {
-    setWalls<Dim>(mesh, kinds, x, wall, topology);
+    setWalls<Dim>(mesh, kinds, x, wall, touching, topology);
+    return topology;
+}
+
+template <int Dim>
+Topology<Dim> withContacts(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const Points<Dim>& x,
+                           const std::vector<Supports<Dim>>& wall, Topology<Dim> topology) {
+    setWalls<Dim>(mesh, kinds, x, wall, nearContact, topology);
     return topology;
 }
 
@@ -164,7 +175,9 @@ Topology<Dim> withWalls(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kin
     template Topology<D> makeTopology<D>(const Mesh<D>&, const std::vector<PatchKind>&, const Points<D>&, \
                                          const std::vector<Supports<D>>&);                                \
     template Topology<D> withWalls<D>(const Mesh<D>&, const std::vector<PatchKind>&, const Points<D>&,    \
-                                      const std::vector<Supports<D>>&, Topology<D>);
+                                      const std::vector<Supports<D>>&, Topology<D>);                      \
+    template Topology<D> withContacts<D>(const Mesh<D>&, const std::vector<PatchKind>&, const Points<D>&, \
+                                         const std::vector<Supports<D>>&, Topology<D>);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

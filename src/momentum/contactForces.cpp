@@ -5,14 +5,12 @@
 namespace pfem {
 
 template <int Dim>
-ContactForces<Dim>::ContactForces(std::vector<ContactPair<Dim>> pairs, const Nodes<Dim>& old, double dt,
-                                  double friction)
-    : pairs_(std::move(pairs)), friction_(friction), force_(pairs_.size(), Vec<Dim>::Zero()) {
-    for (const auto& pair : pairs_) {
-        const double gap = pair.gap < 0 ? 0.1 * pair.gap : pair.gap;  // what has entered comes out slowly
-        bound_.push_back(-gap / dt - 0.5 * pair.relative(old.v)[0]);
-    }
-}
+ContactForces<Dim>::ContactForces(std::vector<ContactPair<Dim>> pairs, double dt, double friction)
+    : pairs_(std::move(pairs)),
+      dt_(dt),
+      friction_(friction),
+      bound_(pairs_.size()),
+      force_(pairs_.size(), Vec<Dim>::Zero()) {}
 
 /// W and A^-1 J^T with the present levers of rigid bodies.
 template <int Dim>
@@ -57,16 +55,22 @@ void ContactForces<Dim>::relax(std::vector<Vec<Dim>>& u) {
             for (int d = 0; d < n; ++d) u[d] += W_.block<Dim, Dim>(d * Dim, c * Dim) * step;
             change = std::max(change, (own * step).norm());
         }
-        if (change <= 1e-13 * largest) return;
+        if (change <= 1e-11 * largest) return;
     }
 }
 
 template <int Dim>
-void ContactForces<Dim>::add(const MomentumSystem<Dim>& system, const Points<Dim>& v, Points<Dim>& dv) {
+void ContactForces<Dim>::add(const MomentumSystem<Dim>& system, const Nodes<Dim>& end, Points<Dim>& dv) {
     if (!any()) return;
     if (W_.size() == 0 || !system.solid().dofs.bodies.empty()) respond(system);
     std::vector<Vec<Dim>> u;
-    for (const auto& pair : pairs_) u.push_back(pair.relative(v) + pair.relative(dv));
+    for (std::size_t c = 0; c < pairs_.size(); ++c) {
+        const ContactPair<Dim>& pair = pairs_[c];
+        const double slowly = 0.9 * std::min(0.0, pair.gap);  // what has entered comes out by a tenth
+        u.push_back(pair.relative(end.v));
+        bound_[c] = 0.5 * u[c][0] - (pair.gapAt(end.x) - slowly) / dt_;
+        u[c] += pair.relative(dv);
+    }
     const auto n = static_cast<Eigen::Index>(pairs_.size());
     const auto forces = [&] {
         Eigen::VectorXd all(n * Dim);

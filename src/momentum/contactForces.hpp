@@ -10,6 +10,7 @@ namespace pfem {
 /// the pairs at the end of the step obey
 ///     0 <= L_n  _|_  u_n - b >= 0,   b = - (gap + dt/2 u_n^n)/dt,        |L_t| <= mu L_n,  L_t against u_t where it
 ///     slips,
+/// written with the gap of the iterate, b = u_n/2 - gap(x)/dt, so that bodies that turn obey it, too;
 /// u = u_free + W L with W = J A^-1 J^T and the solids' matrix A. The bound b lets a pair come so near that the next
 /// step can end at gap 0 with u_n = 0: what meets does so in two steps, without penetration, and stays together when
 /// pressed. An impact takes the energy of the surface's lumped masses alone. Solved by projected Gauss-Seidel, pair by
@@ -17,21 +18,21 @@ namespace pfem {
 template <int Dim>
 class ContactForces {
 public:
-    ContactForces(std::vector<ContactPair<Dim>> pairs, const Nodes<Dim>& old, double dt, double friction);
+    ContactForces(std::vector<ContactPair<Dim>> pairs, double dt, double friction);
 
     bool any() const { return !pairs_.empty(); }
 
-    /// Add to dv what the forces make of it. `v`: velocities at the end of the step before dv.
-    void add(const MomentumSystem<Dim>& system, const Points<Dim>& v, Points<Dim>& dv);
+    /// Add to dv what the forces make of it. `end`: of the iterate before dv.
+    void add(const MomentumSystem<Dim>& system, const Nodes<Dim>& end, Points<Dim>& dv);
 
 private:
     void respond(const MomentumSystem<Dim>& system);
     void relax(std::vector<Vec<Dim>>& u);
 
     std::vector<ContactPair<Dim>> pairs_;
+    double dt_, friction_;
     std::vector<double> bound_;  // b
-    double friction_;
-    Eigen::MatrixXd answer_;  // A^-1 J^T, by columns
+    Eigen::MatrixXd answer_;     // A^-1 J^T, by columns
     Eigen::MatrixXd W_;
     std::vector<Vec<Dim>> force_;  // L
 };

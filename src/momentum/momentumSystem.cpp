@@ -1,5 +1,6 @@
 #include "momentum/momentumSystem.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -155,6 +156,18 @@ Eigen::VectorXd MomentumSystem<Dim>::gather(const Points<Dim>& r) const {
     return u;
 }
 
+/// u over sum B^T B of each body's rows. Of what is gathered from velocities it makes their unknowns; what is scattered
+/// as forces on nodes has it as its sum. Of nodes' own unknowns that is 1.
+template <int Dim>
+void MomentumSystem<Dim>::overMetric(Eigen::VectorXd& u) const {
+    const SolidDofs<Dim>& dofs = solid_.dofs;
+    for (const auto& body : dofs.bodies) {
+        Eigen::MatrixXd metric = Eigen::MatrixXd::Zero(body.count, body.count);
+        for (const int l : body.local) metric += dofs.basis[l].transpose() * dofs.basis[l];
+        u.segment(body.first, body.count) = metric.ldlt().solve(u.segment(body.first, body.count)).eval();
+    }
+}
+
 template <int Dim>
 Eigen::VectorXd MomentumSystem<Dim>::onSolids(const std::vector<std::pair<int, Vec<Dim>>>& forces) const {
     const SolidDofs<Dim>& dofs = solid_.dofs;
@@ -190,7 +203,13 @@ Points<Dim> MomentumSystem<Dim>::apply(const Points<Dim>& u) const {
     if (viscous_)
         addInternalForce<Dim>(fluid_.domains, fluidTangentStress<Dim>(fluid_.domains, fluid_.viscosity, u, bulk_), y);
     if (isConsistent()) addMassDifference<Dim>(fluid_, massFactor_, u, y);
-    if (solid_.dofs.n > 0) scatter(solid_.matrix.multiply(gather(u)), y);
+    if (solid_.dofs.n > 0) {
+        Eigen::VectorXd unknowns = gather(u);
+        overMetric(unknowns);
+        Eigen::VectorXd forces = solid_.matrix.multiply(unknowns);
+        overMetric(forces);
+        scatter(forces, y);
+    }
     return restricted(y);
 }
 

@@ -54,6 +54,7 @@ private:
     Points<Dim> precondition(const Points<Dim>& r) const;
     Points<Dim> restricted(const Points<Dim>& r) const;
     Eigen::VectorXd gather(const Points<Dim>& r) const;
+    void overMetric(Eigen::VectorXd& u) const;
     void scatter(const Eigen::VectorXd& u, Points<Dim>& r) const;
 
     MomentumControls controls_;

@@ -38,7 +38,9 @@ public:
         });
     }
 
-    NodePlan<Dim> plan() {
+    NodePlan<Dim> plan(const std::vector<int>& pinched) {
+        for (const int i : pinched)
+            if (!locked_[i] && !stays(i)) remove(i);
         removeAtCorners();
         removeClose();
         insertInLongEdges();
@@ -255,13 +257,13 @@ private:
 
 template <int Dim>
 NodePlan<Dim> planNodes(const RemeshingControls& controls, const MovedMesh<Dim>& moved, const std::vector<double>& h,
-                        const std::vector<unsigned char>& kept) {
-    return Planner<Dim>(controls, moved, h, kept).plan();
+                        const std::vector<unsigned char>& kept, const std::vector<int>& pinched) {
+    return Planner<Dim>(controls, moved, h, kept).plan(pinched);
 }
 
 #define PFEM_INSTANTIATE(D)                                                                                      \
     template NodePlan<D> planNodes<D>(const RemeshingControls&, const MovedMesh<D>&, const std::vector<double>&, \
-                                      const std::vector<unsigned char>&);
+                                      const std::vector<unsigned char>&, const std::vector<int>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

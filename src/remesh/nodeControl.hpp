@@ -20,9 +20,9 @@ struct NodePlan {
 /// removeDistanceSurface, only when the neighbour is of the boundary, too; across a film: removeDistanceFilm); edges
 /// longer than insertDistance h are halved. A node that slides into a corner of the walls where another one is held
 /// goes, and an inner one lower than removeHeight h over a face of the free surface. At most one change per patch.
-/// Nodes in corners of walls, of solids and of patches stay.
+/// Nodes in corners of walls, of solids and of patches stay. `pinched`: others that have to go.
 template <int Dim>
 NodePlan<Dim> planNodes(const RemeshingControls& controls, const MovedMesh<Dim>& moved, const std::vector<double>& h,
-                        const std::vector<unsigned char>& kept);
+                        const std::vector<unsigned char>& kept, const std::vector<int>& pinched = {});
 
 }  // namespace pfem

@@ -176,7 +176,8 @@ RemeshReport<Dim> remesh(RemeshTask<Dim> task, Triangulator<Dim>& triangulator, 
     joinDrops<Dim>(controls, moved, state);
     const double drops = std::accumulate(moved.dropVolume.begin(), moved.dropVolume.end(), 0.0);
     bookGone<Dim>(moved, task.gone, state);
-    auto plan = planNodes<Dim>(controls, moved, state.nodes.h, keptNodes<Dim>(state.mesh, state.nodes.size()));
+    auto plan =
+        planNodes<Dim>(controls, moved, state.nodes.h, keptNodes<Dim>(state.mesh, state.nodes.size()), task.pinched);
     for (const int drop : task.gone) plan.removed[drop] = 1;
     for (std::size_t i = 0; i < moved.joins.size(); ++i)
         if (moved.joins[i] >= 0) plan.removed[i] = 1;

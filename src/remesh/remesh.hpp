@@ -28,9 +28,10 @@ template <int Dim>
 struct RemeshTask {
     const RemeshingControls& controls;
     const std::vector<PatchKind>& kinds;
-    Topology<Dim> topology;      // of the state's mesh
-    double dt = 0;               // length of the step that moved it [s]
-    std::vector<int> gone = {};  // drops that are let go
+    Topology<Dim> topology;         // of the state's mesh
+    double dt = 0;                  // length of the step that moved it [s]
+    std::vector<int> gone = {};     // drops that are let go
+    std::vector<int> pinched = {};  // nodes of cells for which there is no room any more
 };
 
 /// Remove and insert nodes, triangulate with walls, solids and the free surface as constraints, select the fluid.

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "conditions/rigidBodies.hpp"
+#include "mesh/contacts.hpp"
 
 namespace pfem {
 
@@ -47,9 +48,12 @@ StepStart<Dim> beginStep(const Problem<Dim>& problem, double dt, State<Dim>& sta
     const auto& conditions = problem.conditions;
     StepStart<Dim> start;
     start.topology = makeTopology<Dim>(state.mesh, conditions.kind, state.nodes.x, state.nodes.wall);
+    if (problem.contact.on)
+        start.topology =
+            withContacts<Dim>(state.mesh, conditions.kind, state.nodes.x, state.nodes.wall, std::move(start.topology));
     start.constraints = constraintsOver<Dim>(0, 0, problem, state, start.topology);
     obeyConstraints<Dim>(start.topology, start.constraints, state.nodes);
-    if (conditions.anyMotion() || conditions.anyInlet() || !start.constraints.bodies.empty())  // else ever the same
+    if (conditions.anyMotion() || conditions.anyInlet())  // else ever the same
         start.constraints = constraintsOver<Dim>(0, dt, problem, state, start.topology);
     return start;
 }

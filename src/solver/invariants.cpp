@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/parallel.hpp"
-#include "mesh/onFace.hpp"
+#include "mesh/distance.hpp"
 #include "mesh/simplex.hpp"
 #include "mesh/wallBins.hpp"
 #include "solver/failedStep.hpp"
@@ -100,7 +100,7 @@ void checkWalls(const Topology<Dim>& topology, const Points<Dim>& xOld, const St
         if (through[i] != nullptr) fail<Dim>(next.nodes, i, "went through the wall '" + *through[i] + "'");
 }
 
-/// Nodes of solids that have gone through walls: half of h behind a face in front of whose line they began.
+/// Nodes of solids that have gone through walls: half of h behind the nearest face, in front of whose line they began.
 template <int Dim>
 void checkSolidsAtWalls(const Topology<Dim>& topology, const State<Dim>& next) {
     const Nodes<Dim>& nodes = next.nodes;
@@ -117,18 +117,23 @@ void checkSolidsAtWalls(const Topology<Dim>& topology, const State<Dim>& next) {
         for (const int i : next.mesh.solid.nodes[e]) {
             if (std::exchange(seen[i], 1)) continue;
             const double h = nodes.h[i];
-            places.forEachNear(nodes.x[i], nodes.x[i], 2 * h, [&](int wall) {
-                const auto& [face, patch] = std::pair(walls[wall].nodes, walls[wall].patch);
-                const double d = depth(face, nodes.x, i);
-                if (!(d > 0.5 * h && d < 2 * h) || depth(face, nodes.X, i) > 0.1 * h ||
-                    footWeights<Dim>(nodes.x, face, nodes.x[i]).minCoeff() < 0)
-                    return;
-                fail<Dim>(
-                    nodes, i,
-                    fmt::format("of the solid '{}' went through the wall '{}': a file constant/contact makes solids "
-                                "meet walls",
-                                next.mesh.materials[next.mesh.solid.material[e]], next.mesh.patches[patch].name));
+            double nearest = 2 * h;
+            int wall = -1;
+            places.forEachNear(nodes.x[i], nodes.x[i], nearest, [&](int one) {
+                const double d = distanceToFace<Dim>(nodes.x, walls[one].nodes, nodes.x[i]);
+                if (d >= nearest) return;
+                nearest = d;
+                wall = one;
             });
+            if (wall < 0 || nearest < 0.5 * h) continue;
+            const auto& [face, patch] = std::pair(walls[wall].nodes, walls[wall].patch);
+            if (depth(face, nodes.x, i) < 0.5 * h || depth(face, nodes.X, i) > 0.1 * h ||
+                footWeights<Dim>(nodes.x, face, nodes.x[i]).minCoeff() < 0)
+                continue;
+            fail<Dim>(nodes, i,
+                      fmt::format("of the solid '{}' went through the wall '{}': a file constant/contact makes solids "
+                                  "meet walls",
+                                  next.mesh.materials[next.mesh.solid.material[e]], next.mesh.patches[patch].name));
         }
 }
 

@@ -33,7 +33,7 @@ MomentumEquation<Dim>::MomentumEquation(const Step<Dim>& step, const Controls& c
       stiffness_(surfaceStiffness<Dim>(step.problem, step.mesh.fluid, step.topology, step.old.x, step.midpoint)),
       mass_(nodalMass<Dim>(fluid, solid)),
       system_(makeSystem(controls)),
-      contact_(contactPairs<Dim>(step.problem, step.mesh, step.topology, step.old, step.dt()), step.old, step.dt(),
+      contact_(contactPairs<Dim>(step.problem, step.mesh, step.topology, step.old, step.dt()), step.dt(),
                step.problem.contact.friction) {
     addInternalForce<Dim>(solid.domains, solid.elementStress, solidForceOld_);
 }
@@ -62,7 +62,7 @@ template <int Dim>
 Points<Dim> MomentumEquation<Dim>::solve(const Points<Dim>& residual, const Trial<Dim>& trial) {
     system_.setInertia(inertia());
     auto dv = system_.solve(residual);
-    contact_.add(system_, trial.end.v, dv);
+    contact_.add(system_, trial.end, dv);
     linearIterations_ += system_.linearIterations();
     return dv;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "mesh/contacts.hpp"
 #include "remesh/letGo.hpp"
 #include "remesh/lostVolume.hpp"
 #include "remesh/motionAccount.hpp"
@@ -14,6 +15,7 @@
 #include "walls/landing.hpp"
 #include "walls/openings.hpp"
 #include "walls/penetration.hpp"
+#include "walls/pinched.hpp"
 #include "walls/release.hpp"
 
 namespace pfem {
@@ -92,6 +94,15 @@ void putBack(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome
     outcome.returned = returnPenetrating<Dim>(c.motion.topology, c.controls.expert.walls.wallDistance, state);
 }
 
+/// What is between closing surfaces goes: drops with their volume, nodes of triangles without.
+template <int Dim>
+void squeezeOut(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>& outcome) {
+    for (const int i : pinchedNodes<Dim>(c.motion.topology, 2 * c.controls.expert.walls.wallDistance, state)) {
+        const bool leaves = std::find(outcome.leaving.begin(), outcome.leaving.end(), i) != outcome.leaving.end();
+        if (!leaves) (c.motion.topology.isolated(i) ? outcome.leaving : outcome.pinched).push_back(i);
+    }
+}
+
 /// What all the motions have changed is taken from what the nodes lack; what pressure has taken is not lost.
 template <int Dim>
 void chargeNodes(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>&) {
@@ -111,13 +122,16 @@ template <int Dim>
 void reconnect(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>& outcome) {
     const auto& kinds = c.problem.conditions.kind;
     const bool sameWalls = c.motion.wallsOld == state.nodes.wall;
-    if (sameWalls && outcome.returned == 0 &&
+    if (sameWalls && outcome.returned == 0 && outcome.pinched.empty() &&
         !isDistorted<Dim>(c.controls.distortion, state.nodes.x, state.mesh.fluid.nodes))
         return;
-    auto topology = sameWalls ? c.motion.topology
-                              : withWalls<Dim>(state.mesh, kinds, state.nodes.x, state.nodes.wall, c.motion.topology);
-    outcome.connectivity =
-        remesh<Dim>({c.controls, kinds, std::move(topology), c.motion.dt, outcome.leaving}, c.triangulator, state);
+    auto topology = c.motion.topology;
+    if (c.problem.contact.on)
+        topology = withContacts<Dim>(state.mesh, kinds, state.nodes.x, state.nodes.wall, std::move(topology));
+    else if (!sameWalls)
+        topology = withWalls<Dim>(state.mesh, kinds, state.nodes.x, state.nodes.wall, std::move(topology));
+    outcome.connectivity = remesh<Dim>(
+        {c.controls, kinds, std::move(topology), c.motion.dt, outcome.leaving, outcome.pinched}, c.triangulator, state);
 }
 
 template <int Dim>
@@ -132,6 +146,11 @@ void stopEachOther(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingO
 template <int Dim>
 bool hasSolids(const RemeshingContext<Dim>&, const State<Dim>& state) {
     return !state.mesh.solid.nodes.empty();
+}
+
+template <int Dim>
+bool solidsMeet(const RemeshingContext<Dim>& c, const State<Dim>& state) {
+    return c.problem.contact.on && !state.mesh.solid.nodes.empty();
 }
 
 /// A gravity that turns could bring drops back.
@@ -151,6 +170,7 @@ const std::vector<RemeshingRule<Dim>>& remeshingRules() {
         {"releaseFromWalls", VolumeCause::released, release<Dim>},
         {"landOnWalls", VolumeCause::landed, land<Dim>},
         {"returnPenetrating", VolumeCause::returned, putBack<Dim>, hasSolids<Dim>},
+        {"squeezeOut", {}, squeezeOut<Dim>, solidsMeet<Dim>},
         {"chargeMotion", {}, chargeNodes<Dim>},
         {"letGo", {}, findLeavers<Dim>, dropsMayGo<Dim>},
         {"remesh", {}, reconnect<Dim>},

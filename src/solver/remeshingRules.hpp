@@ -39,6 +39,7 @@ template <int Dim>
 struct RemeshingOutcome {
     int returned = 0;                               // nodes put back out of solids
     std::vector<int> leaving;                       // drops that are let go
+    std::vector<int> pinched;                       // nodes between surfaces that have closed on them
     std::optional<RemeshReport<Dim>> connectivity;  // new, when it was made
 };
 

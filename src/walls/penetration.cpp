@@ -1,5 +1,6 @@
 #include "walls/penetration.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <tuple>
 
@@ -20,6 +21,19 @@ void putBack(const Face<Dim>& face, const Vec<Dim>& n, double distance, int i, N
     nodes.x[i] = weighted<Dim>(x, face, w) + distance * n;
     const double inward = (v[i] - surface).dot(n);
     if (inward < 0) nodes.v[i] -= inward * n;
+}
+
+/// Is there a wall before the face that a node would be put behind? It is left to squeezeOut, then.
+template <int Dim>
+bool isBlocked(const Topology<Dim>& topology, const Points<Dim>& x, const Vec<Dim>& from, const Vec<Dim>& n,
+               double reach) {
+    return std::any_of(topology.walls.begin(), topology.walls.end(), [&](const WallFace<Dim>& wall) {
+        if (wall.patch < 0) return false;
+        const Vec<Dim> inward = inwardNormal<Dim>(x, wall.nodes);
+        const double before = inward.dot(from - x[wall.nodes[0]]);
+        return inward.dot(n) < -0.5 && std::abs(before) < reach && before + reach * inward.dot(n) < 0 &&
+               isWithin<Dim>(footWeights<Dim>(x, wall.nodes, from));
+    });
 }
 
 }  // namespace
@@ -61,6 +75,7 @@ int returnPenetrating(const Topology<Dim>& topology, double distance, State<Dim>
         });
         if (nearest < 0) continue;
         const Vec<Dim> n = faceArea<Dim>(nodes.x, faces[nearest]).normalized();  // out of the solid
+        if (isBlocked<Dim>(topology, nodes.x, nodes.x[i], n, best + distance * nodes.h[i])) continue;
         putBack<Dim>(faces[nearest], n, distance * nodes.h[i], i, nodes);
         ++count;
     }

@@ -75,16 +75,51 @@ bool mayMeet(const Scene<Dim>& scene, int i, const Obstacle<Dim>& obstacle) {
            std::find(obstacle.nodes.begin(), obstacle.nodes.end(), i) == obstacle.nodes.end();
 }
 
+/// Does the node lie behind a face of its own body since the beginning? Then the body is between them: near sharp edges
+/// it is thinner than what a contact may enter.
 template <int Dim>
-ContactPair<Dim> pairOf(int i, const Obstacle<Dim>& obstacle, const Vec<Dim>& weights, double gap) {
+bool seesItsBack(const Scene<Dim>& scene, const Points<Dim>& X, int i, const Obstacle<Dim>& obstacle) {
+    if (!obstacle.solid || scene.body[i] != scene.body[obstacle.nodes[0]]) return false;
+    constexpr double around = 1;  // in parts of the face
+    return faceArea<Dim>(X, obstacle.nodes).dot(X[i] - X[obstacle.nodes[0]]) < 0 &&
+           footWeights<Dim>(X, obstacle.nodes, X[i]).minCoeff() > -around;
+}
+
+template <int Dim>
+ContactPair<Dim> pairOf(int i, const Obstacle<Dim>& obstacle, const Vec<Dim>& weights, double distance, double kept) {
     ContactPair<Dim> pair;
     pair.weight.emplace_back(i, 1.0);
     for (int k = 0; k < Dim; ++k) pair.weight.emplace_back(obstacle.nodes[k], -weights[k]);
     const Tensor<Dim> basis = basisAround<Dim>(obstacle.normal);  // the normal is the last
     pair.frame.col(0) = basis.col(Dim - 1);
     for (int k = 1; k < Dim; ++k) pair.frame.col(k) = basis.col(k - 1);
-    pair.gap = gap;
+    pair.kept = kept;
+    pair.gap = distance - kept;
     return pair;
+}
+
+/// Is the foot on the face, or before its end by less than the node may go along it in the step? One that has passed
+/// the face's plane beyond the end is beside it.
+template <int Dim>
+bool isBefore(const Obstacle<Dim>& obstacle, const Vec<Dim>& weights, const ContactPair<Dim>& pair,
+              const Nodes<Dim>& nodes, double dt) {
+    const double beyond = -weights.minCoeff();
+    if (beyond <= beyondEnd) return true;
+    const double size = (nodes.x[obstacle.nodes[1]] - nodes.x[obstacle.nodes[0]]).norm();
+    const Vec<Dim> u = pair.relative(nodes.v);
+    return pair.gap > 0 && (beyond - beyondEnd) * size < 2 * dt * u.template tail<Dim - 1>().norm();
+}
+
+/// Of faces of one group that look the same way the nearest counts; in a dent a node meets several.
+template <int Dim>
+void addOrReplace(int group, ContactPair<Dim> pair, std::vector<std::pair<int, ContactPair<Dim>>>& pairs) {
+    constexpr double alike = 0.9999;
+    for (auto& [other, known] : pairs) {
+        if (other != group || known.frame.col(0).dot(pair.frame.col(0)) < alike) continue;
+        if (std::abs(pair.gap) < std::abs(known.gap)) known = std::move(pair);
+        return;
+    }
+    pairs.emplace_back(group, std::move(pair));
 }
 
 }  // namespace
@@ -111,22 +146,25 @@ std::vector<ContactPair<Dim>> contactPairs(const Problem<Dim>& problem, const Me
         bins.add(static_cast<int>(k), low, high);
     }
     for (const int i : scene.node) {
-        std::map<int, ContactPair<Dim>> nearest;  // by group
+        std::vector<std::pair<int, ContactPair<Dim>>> own;  // and their groups
         bins.forEachNear(nodes.x[i], farthest, [&](int k) {
             const Obstacle<Dim>& obstacle = scene.obstacles[k];
             if (!mayMeet<Dim>(scene, i, obstacle)) return;
             const Vec<Dim> weights = footWeights<Dim>(nodes.x, obstacle.nodes, nodes.x[i]);
-            if (weights.minCoeff() < -beyondEnd) return;
+            if (weights.minCoeff() < -1) return;
             const double h = scene.body[i] >= 0 ? nodes.h[i] : nodes.h[obstacle.nodes[0]];
             const double between = obstacle.solid && scene.body[i] >= 0 ? clearance * h : 0;
-            const double gap = obstacle.normal.dot(nodes.x[i] - nodes.x[obstacle.nodes[0]]) - between;
-            auto pair = pairOf<Dim>(i, obstacle, weights, gap);
+            const double distance = obstacle.normal.dot(nodes.x[i] - nodes.x[obstacle.nodes[0]]);
+            auto pair = pairOf<Dim>(i, obstacle, weights, distance, between);
+            if (!isBefore<Dim>(obstacle, weights, pair, nodes, dt)) return;
+            const double gap = pair.gap;
             const double approach = std::max(0.0, -pair.relative(nodes.v)[0]);
-            if (gap < -0.5 * h || gap > 3 * dt * approach + fall + 0.02 * h) return;
-            const auto [known, isNew] = nearest.emplace(obstacle.group, pair);
-            if (!isNew && std::abs(gap) < std::abs(known->second.gap)) known->second = std::move(pair);
+            const double mayClose = dt * std::max(3 * approach, 2 * fastest) + fall + 0.02 * h;  // others may push
+            if (gap < -0.5 * h || gap > mayClose) return;
+            if (gap < 0 && seesItsBack<Dim>(scene, nodes.X, i, obstacle)) return;
+            addOrReplace<Dim>(obstacle.group, std::move(pair), own);
         });
-        for (auto& [group, pair] : nearest) pairs.push_back(std::move(pair));
+        for (auto& [group, pair] : own) pairs.push_back(std::move(pair));
     }
     return pairs;
 }

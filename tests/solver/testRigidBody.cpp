@@ -228,6 +228,20 @@ TEST(RigidBody, aFloatOfAHundredthOfTheWatersDensityIsStable) {
     EXPECT_LE(most, 14);
 }
 
+// Viscosity in the matrix: the conjugate gradients meet the body's own unknowns.
+TEST(RigidBody, aFloatTurnsInSyrup) {
+    TestCase c = floating(500, 0.5, 0.025);
+    c.problem.materials = readMaterials(
+        Dictionary::parse("water { type newtonian; rho 1000; mu 50; } wood { type rigid; rho 500; }", "materials"));
+    setTwist<2>(c, {0, 0, 2});
+    const int most = mostIterations(c, 40, 2e-3);
+    const auto body = bodyOf<2>(c);
+    std::cout << "in syrup: turns with " << body.twist[2] << " rad/s, iterations " << most << "\n";
+    EXPECT_LE(most, 15);
+    EXPECT_LT(std::abs(body.twist[2]), 0.5);
+    EXPECT_LT(std::abs(body.twist[0]), 0.1);
+}
+
 TEST(RigidBody, heavesAsAVeryStiffSolidDoes) {
     std::vector<double> rise;
     for (const std::string law : {"rigid", "hypoelastic"}) {
