@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "solver/checkProblem.hpp"
 #include "support/cases.hpp"
 
 using namespace pfem;
@@ -59,6 +60,29 @@ TEST(SlidingSolids, theFootOfAGateLeavesTheFloor) {
     for (int n = 0; n < 60; ++n) c.step(5e-4);
     const int i = nodeOf(c.state.nodes, foot);
     EXPECT_GT(c.state.nodes.x[i][0] - c.state.nodes.X[i][0], 1e-3);
+}
+
+// Half a wedge whose clamped ends move down, one of them along the wall of the axis.
+TEST(SlidingSolids, aClampedEndMovesAlongAWall) {
+    const std::string conditions =
+        "axis { type slip; } tank { type slip; } apex { type clamped; motion { velocity (0 -3 0); } } outer { type "
+        "clamped; motion { velocity (0 -3 0); } }";
+    TestCase c = makeCase(
+        "meshSize 0.04; bodies ( water { type fluid; material water; vertices ((0 -0.4) (0.8 -0.4) (0.8 0) (0 0)); } "
+        "plate "
+        "{ type solid; material aluminium; meshSize 0.02; velocity (0 -3); vertices ((0 0.005) (0.4 0.075) (0.39 "
+        "0.135) (0 "
+        "0.066)); patches { apex { edges ((3 0)); } outer { edges ((1 2)); } } } ); walls ( axis { points ((0 0.3) (0 "
+        "-0.4)); moving true; } tank { points ((0 -0.4) (0.8 -0.4) (0.8 0.3)); } );",
+        water + "aluminium { type hypoelastic; rho 2700; E 6e9; nu 0.34; }", conditions);
+    EXPECT_NO_THROW(
+        checkConditions<2>(Dictionary::parse(conditions, "boundaryConditions"), c.problem.conditions, c.state));
+    const Id apex = c.state.nodes.id[nearestNode(c.state.nodes.X, {0, 0.005})];
+    c.start(1e-4);
+    for (int n = 0; n < 40; ++n) ASSERT_EQ(c.step(1e-4).rejected, 0);
+    const Vec<2> x = c.state.nodes.x[nodeOf(c.state.nodes, apex)];
+    EXPECT_LT((x - Vec<2>(0, 0.005 - 3 * 4e-3)).norm(), 1e-12);
+    EXPECT_LT(c.state.nodes.v[nodeOf(c.state.nodes, apex)][1], -2.9);
 }
 
 }  // namespace

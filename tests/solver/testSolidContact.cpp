@@ -76,4 +76,60 @@ TEST(SolidContact, fallenBlocksLieStill) {
     }
 }
 
+// A diamond of rubber falls beside a pool: with contact it lands on its corner, without it the run ends with a message.
+TEST(SolidContact, aSolidMeetsTheFloor) {
+    TestCase c =
+        makeCase("meshSize 0.02; bodies ( pool { type fluid; material water; " + rectangle(0, 0, 0.2, 0.1) +
+                     " } s { type solid; material rubber; vertices ((0.4 0.05) (0.5 0.15) (0.4 0.25) (0.3 0.15)); } ); "
+                     "walls ( tank { points ((0 0.7) (0 0) (0.8 0) (0.8 0.7)); } );",
+                 water + rubber, "tank { type slip; }");
+    TestCase without = c;
+    c.problem.contact = {true, 0.3};
+    int rejected = 0;
+    double inWalls = 0;
+    while (c.state.time.value < 0.25) {
+        rejected += c.step(1e-3).rejected;
+        inWalls = std::max(inWalls, depthInWalls(c));
+    }
+    std::cout << "diamond: " << rejected << " rejected, in walls " << inWalls << " h\n";
+    EXPECT_LE(rejected, 2);
+    EXPECT_LT(inWalls, 1e-3);
+    try {
+        while (without.state.time.value < 0.25) without.step(1e-3);
+        ADD_FAILURE() << "it went through the floor";
+    } catch (const StepFailure& failure) {
+        const std::string text = failure.what();
+        EXPECT_NE(text.find("solid 'rubber' went through the wall 'tank'"), std::string::npos) << text;
+    }
+}
+
+// The wedge of the water entry, in a basin so shallow that it strikes its bottom.
+TEST(SolidContact, aWedgeStrikesTheBottomOfItsBasin) {
+    TestCase c = makeCase("meshSize 0.06; bodies ( water { type fluid; material water; " + rectangle(-1, -0.3, 1, 0) +
+                              " } wedge { type solid; material steel; velocity (0 -5); vertices ((0 0.05) (0.6 "
+                              "0.32978) (-0.6 0.32978)); } ); walls ( "
+                              "basin { points ((-1 1) (-1 -0.3) (1 -0.3) (1 1)); } );",
+                          water + "steel { type hypoelastic; rho 1500; E 1e8; nu 0; }", "basin { type slip; }");
+    c.problem.contact = {true, 0.3};
+    const double dt = 5e-4;
+    c.start(dt);
+    double inWalls = 0, energy = 1e300, growth = 0, lowest = 1;
+    int rejected = 0;
+    const double first = solidEnergy(c);
+    for (int n = 0; n < 600; ++n) {
+        rejected += c.step(dt).rejected;
+        inWalls = std::max(inWalls, depthInWalls(c));
+        double all = storedEnergy<2>(c.problem, c.controls, c.state).total() - c.state.energy.sum(CauseKind::passage);
+        growth = std::max(growth, all - energy);
+        energy = std::min(energy, all);
+        for (const int i : nodesOf(c, "steel")) lowest = std::min(lowest, c.state.nodes.x[i][1]);
+    }
+    std::cout << "wedge: " << rejected << " rejected, lowest " << lowest << ", in walls " << inWalls
+              << " h, energy grew by " << growth / first << " of the first\n";
+    EXPECT_LT(lowest, -0.2999);
+    EXPECT_LT(inWalls, 1e-3);
+    EXPECT_LT(growth, 0.01 * first);
+    EXPECT_LE(rejected, 6);
+}
+
 }  // namespace
