@@ -1,6 +1,6 @@
 #include "momentum/momentumSystem.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -156,16 +156,26 @@ Eigen::VectorXd MomentumSystem<Dim>::gather(const Points<Dim>& r) const {
     return u;
 }
 
-/// u over sum B^T B of each body's rows. Of what is gathered from velocities it makes their unknowns; what is scattered
-/// as forces on nodes has it as its sum. Of nodes' own unknowns that is 1.
+/// (B^T B)^-1 f on the rigid bodies' unknowns: from the nodes' velocities gathered to those of the bodies.
 template <int Dim>
-void MomentumSystem<Dim>::overMetric(Eigen::VectorXd& u) const {
-    const SolidDofs<Dim>& dofs = solid_.dofs;
-    for (const auto& body : dofs.bodies) {
-        Eigen::MatrixXd metric = Eigen::MatrixXd::Zero(body.count, body.count);
-        for (const int l : body.local) metric += dofs.basis[l].transpose() * dofs.basis[l];
-        u.segment(body.first, body.count) = metric.ldlt().solve(u.segment(body.first, body.count)).eval();
+Eigen::VectorXd MomentumSystem<Dim>::perBody(Eigen::VectorXd f) const {
+    for (std::size_t b = 0; b < ofBody_.size(); ++b) {
+        const auto& body = solid_.dofs.bodies[b];
+        f.segment(body.first, body.count) = (ofBody_[b] * f.segment(body.first, body.count)).eval();
     }
+    return f;
+}
+
+/// Forces on rigid bodies' nodes become the least ones that do the same to the bodies: what conjugate gradients see of
+/// them, as of a velocity, is then a vector of the bodies' unknowns.
+template <int Dim>
+void MomentumSystem<Dim>::spreadOverBodies(Points<Dim>& force) const {
+    if (ofBody_.empty()) return;
+    Eigen::VectorXd onBodies = perBody(gather(force));
+    onBodies.head(solid_.dofs.bodies[0].first).setZero();  // they come last
+    for (const auto& body : solid_.dofs.bodies)
+        for (const int l : body.local) force[solid_.dofs.node[l]].setZero();
+    scatter(onBodies, force);
 }
 
 template <int Dim>
@@ -197,14 +207,12 @@ Points<Dim> MomentumSystem<Dim>::restricted(Points<Dim> r) const {
 }
 
 template <int Dim>
-void MomentumSystem<Dim>::addFluid(const Points<Dim>& u, Points<Dim>& force) const {
-    Points<Dim> carried;
-    if (!constraints_.riders.empty()) carryRiders<Dim>(constraints_.riders, carried = u);
-    const Points<Dim>& all = carried.empty() ? u : carried;
+void MomentumSystem<Dim>::addOfFluid(Points<Dim> u, Points<Dim>& force) const {
+    carryRiders<Dim>(constraints_.riders, u);
     if (viscous_)
-        addInternalForce<Dim>(fluid_.domains, fluidTangentStress<Dim>(fluid_.domains, fluid_.viscosity, all, bulk_),
+        addInternalForce<Dim>(fluid_.domains, fluidTangentStress<Dim>(fluid_.domains, fluid_.viscosity, u, bulk_),
                               force);
-    if (isConsistent()) addMassDifference<Dim>(fluid_, massFactor_, all, force);
+    if (isConsistent()) addMassDifference<Dim>(fluid_, massFactor_, u, force);
     handOver<Dim>(constraints_.riders, force);
 }
 
@@ -212,14 +220,9 @@ template <int Dim>
 Points<Dim> MomentumSystem<Dim>::apply(const Points<Dim>& u) const {
     Points<Dim> y(u.size());
     parallelFor(static_cast<int>(u.size()), [&](int i) { y[i] = inertia_[i].cwiseProduct(u[i]); });
-    if (viscous_ || isConsistent()) addFluid(u, y);
-    if (solid_.dofs.n > 0) {
-        Eigen::VectorXd unknowns = gather(u);
-        overMetric(unknowns);
-        Eigen::VectorXd forces = solid_.matrix.multiply(unknowns);
-        overMetric(forces);
-        scatter(forces, y);
-    }
+    if (viscous_ || isConsistent()) addOfFluid(u, y);
+    spreadOverBodies(y);
+    if (solid_.dofs.n > 0) scatter(perBody(solid_.matrix.multiply(perBody(gather(u)))), y);
     return restricted(std::move(y));
 }
 
@@ -245,6 +248,13 @@ Points<Dim> MomentumSystem<Dim>::solve(const Points<Dim>& residual) {
     iterations_ = 1;
     if (!viscous_ && !isConsistent()) return precondition(r);  // the diagonal will do
 
+    ofBody_.clear();
+    for (const auto& body : solid_.dofs.bodies) {
+        Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(body.count, body.count);
+        for (const int l : body.local) gram += solid_.dofs.basis[l].transpose() * solid_.dofs.basis[l];
+        ofBody_.push_back(gram.inverse());
+    }
+    spreadOverBodies(r);
     auto solution = conjugateGradients<Dim>([this](const Points<Dim>& u) { return apply(u); },
                                             [this](const Points<Dim>& u) { return precondition(u); }, std::move(r),
                                             {controls_.linearTolerance, controls_.maxLinearIterations, "momentum"});

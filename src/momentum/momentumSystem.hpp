@@ -51,11 +51,12 @@ public:
 private:
     bool isConsistent() const { return controls_.fluidMass() == FluidMass::consistent; }
     Points<Dim> apply(const Points<Dim>& u) const;
-    void addFluid(const Points<Dim>& u, Points<Dim>& force) const;
+    void addOfFluid(Points<Dim> u, Points<Dim>& force) const;
     Points<Dim> precondition(const Points<Dim>& r) const;
     Points<Dim> restricted(Points<Dim> r) const;
     Eigen::VectorXd gather(const Points<Dim>& r) const;
-    void overMetric(Eigen::VectorXd& u) const;
+    Eigen::VectorXd perBody(Eigen::VectorXd f) const;
+    void spreadOverBodies(Points<Dim>& force) const;
     void scatter(const Eigen::VectorXd& u, Points<Dim>& r) const;
 
     MomentumControls controls_;
@@ -64,6 +65,7 @@ private:
     SolidBlock<Dim> solid_;
     std::unique_ptr<SymmetricSolver> factor_;
     double massFactor_;                    // of the mass in the matrix [1/s]
+    std::vector<Eigen::MatrixXd> ofBody_;  // (B^T B)^-1 of rigid bodies whose nodes' velocities are B times their own
     std::vector<unsigned char> moving_;    // fluid nodes with unknowns, solids left out
     Points<Dim> inertia_;                  // of moving fluid nodes; of a sliding one the same in all directions
     std::vector<double> diagonal_;         // its least component, 0 elsewhere
