@@ -79,7 +79,8 @@ int sharedVelocities(const NodeToNodes& ring, const SolidDofs<Dim>& dofs, int i)
 template <int Dim>
 std::vector<int> columnStarts(const NodeToNodes& ring, const Unknowns& u, const SolidBlock<Dim>& block,
                               const RiderColumns<Dim>& riders) {
-    const auto& [dofs, solid] = block;
+    const SolidDofs<Dim>& dofs = block.dofs;
+    const SymmetricMatrix& solid = block.matrix;
     const auto ownUnknowns = [&](int node) {  // where nothing rides, each node's own
         return riders.any() && dofs.local[node] >= 0 ? 0 : nVelocities<Dim>(u, dofs, node);
     };

@@ -46,7 +46,9 @@ template <int Dim>
 PerCell<Tensor<Dim>> solidElementStress(const Solids<Dim>& solids, const SmoothingDomains<Dim>& domains,
                                         const SmoothingDomains<Dim>& end, const SolidStress<Dim>& stress,
                                         const Nodes<Dim>& trial) {
-    const auto& [problem, controls, cells] = solids;
+    const Problem<Dim>& problem = solids.problem;
+    const SolidControls& controls = solids.controls;
+    const Cells<Dim>& cells = solids.cells;
     if (end.nCells() == 0) return {};
     auto sum = KindsOfLaws<Dim>(problem, cells).perCell([&](Kinematics kind) {
         return kind == Kinematics::reference ? hyperelasticElementStress<Dim>(domains, stress.point, trial.x)
@@ -67,7 +69,8 @@ PerCell<Tensor<Dim>> solidElementStress(const Solids<Dim>& solids, const Smoothi
 template <int Dim>
 PerCell<Tensor<Dim>> storedElementStress(const Solids<Dim>& solids, const SmoothingDomains<Dim>& domains,
                                          const Nodes<Dim>& nodes) {
-    const auto& [problem, controls, cells] = solids;
+    const Problem<Dim>& problem = solids.problem;
+    const Cells<Dim>& cells = solids.cells;
     if (domains.nCells() == 0) return {};
     auto gradients = domains;
     updateGradientDomains<Dim>(problem, cells, nodes, nodes, gradients);

@@ -93,7 +93,9 @@ PerNode<double> volumeRatio(const SmoothingDomains<Dim>& reference, const Points
 template <int Dim>
 SolidStress<Dim> solidStress(const Solids<Dim>& solids, const SmoothingDomains<Dim>& domains, const Nodes<Dim>& old,
                              const Nodes<Dim>& trial, double dt) {
-    const auto& [problem, controls, cells] = solids;
+    const Problem<Dim>& problem = solids.problem;
+    const SolidControls& controls = solids.controls;
+    const Cells<Dim>& cells = solids.cells;
     SolidStress<Dim> stress;
     stress.point = storedAtPoints<Dim>(domains, old.sigma, cells.sigma);
     if (domains.nCells() > 0) {
