@@ -32,7 +32,8 @@ std::vector<int> facesBetween(const Topology<2>& topology, int from, int to) {
 std::vector<SkinPoint<2>> pointsOn(const Topology<2>& topology, const Points<2>& x, const FluidFace<2>& face,
                                    const std::array<const Ride<2>*, 2>& rides) {
     std::vector<SkinPoint<2>> points;
-    const Vec<2> a = x[face.nodes[0]], d = x[face.nodes[1]] - a;
+    const Vec<2>& a = x[face.nodes[0]];
+    const Vec<2> d = x[face.nodes[1]] - a;
     const double gauss = 0.5 / std::sqrt(3.0);
     double begin = 0;
     const auto faces = facesBetween(topology, rides[0]->wall, rides[1]->wall);
