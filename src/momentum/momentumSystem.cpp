@@ -252,7 +252,7 @@ Points<Dim> MomentumSystem<Dim>::solve(const Points<Dim>& residual) {
     for (const auto& body : solid_.dofs.bodies) {
         Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(body.count, body.count);
         for (const int l : body.local) gram += solid_.dofs.basis[l].transpose() * solid_.dofs.basis[l];
-        ofBody_.push_back(gram.inverse());
+        ofBody_.emplace_back(gram.inverse());
     }
     spreadOverBodies(r);
     auto solution = conjugateGradients<Dim>([this](const Points<Dim>& u) { return apply(u); },

@@ -12,7 +12,11 @@ namespace {
 /// Positions and accelerations at the end of the step that follow from its velocities (22).
 template <int Dim>
 void moveEnd(const Step<Dim>& step, Nodes<Dim>& end) {
-    const auto& [problem, mesh, topology, constraints, old, midpoint, divTarget] = step;
+    const Problem<Dim>& problem = step.problem;
+    const Topology<Dim>& topology = step.topology;
+    const NodeConstraints<Dim>& constraints = step.constraints;
+    const Nodes<Dim>& old = step.old;
+    const MidpointRule& midpoint = step.midpoint;
     const double dt = midpoint.dt;
     parallelFor(old.size(), [&](int i) {
         if (!constraints.freedom[i].any() && !constraints.isMoved(i)) {

@@ -34,7 +34,7 @@ AdvanceReport Simulation<Dim>::step(double dt) {
             return report;
         } catch (const StepFailure& failure) {  // the state stays as it was
             ++report.rejected;
-            report.reasons.push_back(failure.what());
+            report.reasons.emplace_back(failure.what());
             if (report.rejected > limits.maxHalvings || 0.5 * report.dt < limits.deltaTMin) throw;
         }
     }
