@@ -43,7 +43,8 @@ bool closeOnEachOther(const std::vector<const Side<Dim>*>& near) {
 
 template <int Dim>
 std::vector<int> pinchedNodes(const Topology<Dim>& topology, double reach, const State<Dim>& state) {
-    const auto& [x, h] = std::tie(state.nodes.x, state.nodes.h);
+    const Points<Dim>& x = state.nodes.x;
+    const auto& h = state.nodes.h;
     const auto sides = sidesOf<Dim>(topology, state);
     if (sides.empty() || sides[0].body < 0) return {};  // no solids
     const double size = *std::max_element(h.begin(), h.end());

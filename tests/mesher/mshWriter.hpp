@@ -224,7 +224,7 @@ private:
         out_.line("$Elements");
         out_.line(std::to_string(n + 1));
         long number = 1;
-        const auto element = [&](long type, std::vector<long> tags, const std::vector<int>& nodes) {
+        const auto element = [&](long type, const std::vector<long>& tags, const std::vector<int>& nodes) {
             if (form_.binary)
                 out_.i(type).i(1).i(static_cast<long>(tags.size())).i(number++);
             else

@@ -69,7 +69,7 @@ Result run(double h, double dt, double endTime, double correctionTime, const cha
     const auto fit = fitHarmonic(t, y, 4.5, 6.2);
     r.period = 2 * M_PI / fit.omega;
     r.amplitude = fit.amplitude;
-    const std::size_t last = static_cast<std::size_t>(1.2 / dt);
+    const auto last = static_cast<std::size_t>(1.2 / dt);
     for (std::size_t i = y.size() - last; i < y.size(); ++i) r.late = std::max(r.late, std::abs(y[i]));
     std::cout << "h " << h << " dt " << dt << ": period " << r.period << " (" << 100 * (r.period / 1.1818 - 1)
               << " %), largest drift " << 100 * r.drift << " %, without correction's part " << 100 * r.rawDrift
