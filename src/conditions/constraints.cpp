@@ -152,7 +152,6 @@ NodeConstraints<Dim> nodeConstraints(const Mesh<Dim>& mesh, const BoundaryCondit
             if (topology.isOpening(wall)) continue;
             if (topology.isSkin(wall)) {
                 const Ride<Dim>* ride = topology.rideOn(static_cast<int>(i), wall);
-                while (ride->wall != wall) ++ride;  // the first may be round an edge
                 holdOnSolid<Dim>(topology, nodes, static_cast<int>(ride - topology.rides.data()), t1 - t0, hold);
                 continue;
             }

@@ -1,51 +1,27 @@
 #include "functions/front.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "dictionary/function1.hpp"
 #include "functions/sensors.hpp"
+#include "mesh/components.hpp"
 #include "mesh/simplex.hpp"
 
 namespace pfem {
-
-namespace {
-
-/// Disjoint sets of nodes.
-class Pieces {
-public:
-    explicit Pieces(int n) : parent_(static_cast<std::size_t>(n)) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-    int of(int i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    void join(int i, int j) {
-        if (parent_[i] != parent_[j]) parent_[of(j)] = of(i);
-    }
-
-private:
-    std::vector<int> parent_;
-};
-
-}  // namespace
 
 template <int Dim>
 std::optional<FrontReading> readFront(const State<Dim>& state, const Vec<Dim>& direction) {
     const auto& x = state.nodes.x;
     const auto& cells = state.mesh.fluid.nodes;
     if (cells.empty()) return {};
-    Pieces pieces(state.nodes.size());
+    const auto piece = components(cells, state.nodes.size());
     std::vector<double> share(x.size(), 0.0), volume(x.size(), 0.0);
     std::vector<unsigned char> wet(x.size(), 0);
     for (const auto& cell : cells) {
-        for (const int node : cell) {
-            pieces.join(cell[0], node);
-            wet[node] = 1;
-        }
+        for (const int node : cell) wet[node] = 1;
         share[cell[0]] += simplexMeasure<Dim>(x, cell);
     }
-    for (int i = 0; i < state.nodes.size(); ++i) volume[pieces.of(i)] += share[i];
+    for (int i = 0; i < state.nodes.size(); ++i) volume[piece[i]] += share[i];
     const int main = static_cast<int>(std::max_element(volume.begin(), volume.end()) - volume.begin());
 
     FrontReading front;
@@ -57,7 +33,7 @@ std::optional<FrontReading> readFront(const State<Dim>& state, const Vec<Dim>& d
         if (connected && (front.node < 0 || place > front.connected)) front.connected = place, front.node = node;
     };
     for (int i = 0; i < state.nodes.size(); ++i)
-        if (wet[i]) consider(i, pieces.of(i) == main);
+        if (wet[i]) consider(i, piece[i] == main);
     for (int i = 0; i < state.nodes.size(); ++i)
         if (state.nodes.dropVolume[i] > 0) consider(i, false);
     return front;

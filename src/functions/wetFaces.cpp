@@ -1,19 +1,10 @@
 #include "functions/wetFaces.hpp"
 
-#include <algorithm>
 #include <map>
 
+#include "mesh/sortedFace.hpp"
+
 namespace pfem {
-
-namespace {
-
-template <int Dim>
-Face<Dim> sorted(Face<Dim> face) {
-    std::sort(face.begin(), face.end());
-    return face;
-}
-
-}  // namespace
 
 template <int Dim>
 std::vector<WetFace<Dim>> wetFaces(const State<Dim>& state, const Topology<Dim>& topology) {

@@ -9,6 +9,7 @@
 #include "mesh/distance.hpp"
 #include "mesh/nearestOnFace.hpp"
 #include "mesh/simplex.hpp"
+#include "mesh/sortedFace.hpp"
 #include "mesh/wallBins.hpp"
 
 namespace pfem {
@@ -16,12 +17,6 @@ namespace pfem {
 namespace {
 
 constexpr double touching = 1e-6;  // of a face's size
-
-template <int Dim>
-Face<Dim> sorted(Face<Dim> face) {
-    std::sort(face.begin(), face.end());
-    return face;
-}
 
 template <int Dim>
 std::set<Face<Dim>> solidFaces(const Mesh<Dim>& mesh, const NodeToCells& around) {

@@ -115,13 +115,16 @@ struct Topology {
             if (own >= 0 && joined(own, face)) return own;
         return -1;
     }
-    /// The node's ride on a skin that is joined with a wall face, null: none.
+    /// The node's ride on a wall face, or else on one that is joined with it; null: none.
     const Ride<Dim>* rideOn(int node, int face) const {
         auto ride =
             std::lower_bound(rides.begin(), rides.end(), node, [](const Ride<Dim>& r, int i) { return r.node < i; });
-        for (; ride != rides.end() && ride->node == node; ++ride)
-            if (joined(ride->wall, face)) return &*ride;
-        return nullptr;
+        const Ride<Dim>* found = nullptr;
+        for (; ride != rides.end() && ride->node == node; ++ride) {
+            if (ride->wall == face) return &*ride;
+            if (!found && joined(ride->wall, face)) found = &*ride;
+        }
+        return found;
     }
 
 private:

@@ -227,10 +227,6 @@ void bend(const WallFace<Dim>& face, const Points<Dim>& x, const Vec<Dim>& point
     }
 }
 
-}  // namespace
-
-namespace {
-
 /// Of the faces round a point of a region, in the order in which smooth edges lead from one to the next, the first that
 /// is nearer to `point` than `distance` squared, else -1. Round a tip all of them are equally far from what is beyond
 /// it.

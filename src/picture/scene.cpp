@@ -5,6 +5,7 @@
 #include <set>
 
 #include "mesh/adjacency.hpp"
+#include "mesh/sortedFace.hpp"
 #include "picture/bodyScene.hpp"
 
 namespace pfem {
@@ -27,19 +28,14 @@ std::vector<Face<3>> boundaryOf(const Cells<3>& cells, int nNodes) {
     return faces;
 }
 
-Face<3> sorted(Face<3> face) {
-    std::sort(face.begin(), face.end());
-    return face;
-}
-
 /// Faces of patches that are not of a body, with the normal to where fluid may be.
 std::vector<Face<3>> wallsOf(const Mesh<3>& mesh, const std::vector<Face<3>>& solid) {
     std::set<Face<3>> ofSolid;
-    for (const auto& face : solid) ofSolid.insert(sorted(face));
+    for (const auto& face : solid) ofSolid.insert(sorted<3>(face));
     std::vector<Face<3>> walls;
     for (const auto& patch : mesh.patches)
         for (const auto& face : patch.faces)
-            if (ofSolid.count(sorted(face)) == 0) walls.push_back({face[0], face[2], face[1]});
+            if (ofSolid.count(sorted<3>(face)) == 0) walls.push_back({face[0], face[2], face[1]});
     return walls;
 }
 

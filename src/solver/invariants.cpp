@@ -170,10 +170,6 @@ void checkSolids(const Points<Dim>& xOld, const State<Dim>& next) {
     }
 }
 
-}  // namespace
-
-namespace {
-
 /// The volume beside which a step's change counts [m2 (2D), m3]: all that there is; where water has left through
 /// outlets, up to the first volume of the run, for the last few cells of what runs dry change by much of themselves.
 template <int Dim>

@@ -4,17 +4,12 @@
 #include <map>
 #include <set>
 
+#include "mesh/sortedFace.hpp"
 #include "mesh/wallBins.hpp"
 
 namespace pfem {
 
 namespace {
-
-template <int Dim>
-Face<Dim> sorted(Face<Dim> face) {
-    std::sort(face.begin(), face.end());
-    return face;
-}
 
 /// Turn the faces of skins so that the solid is behind them.
 template <int Dim>
