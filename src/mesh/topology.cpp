@@ -11,6 +11,7 @@
 #include "mesh/simplex.hpp"
 #include "mesh/sortedFace.hpp"
 #include "mesh/wallBins.hpp"
+#include "mesh/wallUnder.hpp"
 
 namespace pfem {
 
@@ -115,24 +116,6 @@ void setSkins(const Mesh<Dim>& mesh, const Points<Dim>& x, Topology<Dim>& t) {
         }
 }
 
-/// The wall face under a face of the fluid, -1: none: a support of the first node with which all have a joined one, so
-/// that the face has the normal of the walls under its nodes.
-template <int Dim>
-int wallUnder(const Topology<Dim>& t, const Points<Dim>& x, const Face<Dim>& face) {
-    const Vec<Dim> own = faceArea<Dim>(x, face).normalized();  // out of the fluid
-    for (const int wall : t.supports[face[0]]) {
-        if (wall < 0) continue;
-        Vec<Dim> outward = Vec<Dim>::Zero();
-        const bool all = std::all_of(face.begin(), face.end(), [&](int node) {
-            const int support = t.supportOn(node, wall);
-            if (support >= 0) outward -= inwardNormal<Dim>(x, t.walls[support].nodes);
-            return support >= 0;
-        });
-        if (all && own.dot(outward) > 0.5 * outward.norm()) return wall;
-    }
-    return -1;
-}
-
 /// The face of a skin under a face of the fluid whose nodes all ride on its region, -1: none. Edges of solids meet
 /// others within a few cells: a node there rides on both.
 template <int Dim>
@@ -168,7 +151,11 @@ void setWalls(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const 
         if (face.kind == FaceKind::interface) continue;
         const bool onSymmetry = !symmetry.empty() && symmetry.count(sorted<Dim>(face.nodes)) > 0;
         face.wall = onSymmetry || t.rides.empty() ? -1 : skinUnder<Dim>(t, x, face.nodes);
-        if (face.wall < 0 && !onSymmetry) face.wall = wallUnder<Dim>(t, x, face.nodes);
+        if (face.wall < 0 && !onSymmetry) {
+            const Vec<Dim> outward = faceArea<Dim>(x, face.nodes).normalized();
+            const auto supports = [&](int node) -> const Supports<Dim>& { return t.supports[node]; };
+            face.wall = wallUnder<Dim>(t, x, face.nodes, outward, supports);
+        }
         face.kind = onSymmetry || face.wall >= 0 ? FaceKind::wall : FaceKind::freeSurface;
         if (face.kind == FaceKind::freeSurface)
             for (int node : face.nodes) t.freeSurface[node] = 1;

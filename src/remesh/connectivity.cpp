@@ -6,6 +6,7 @@
 #include "base/parallel.hpp"
 #include "mesh/onFace.hpp"
 #include "mesh/simplex.hpp"
+#include "mesh/wallUnder.hpp"
 
 namespace pfem {
 
@@ -229,18 +230,10 @@ private:
     /// Does the face lie on a solid, or on one wall and has its normal?
     bool isClosed(const Face<Dim>& face) const {
         if (isOnSolids(face)) return true;
-        if (!onOneWall(face)) return false;
+        if (!isOnWall(face[0])) return false;
         const Vec<Dim> outward = faceArea<Dim>(nodes_.x, face).normalized();
-        const auto& walls = nodes_.wall[face[0]];
-        return std::any_of(walls.begin(), walls.end(), [&](int wall) {
-            if (wall < 0) return false;
-            Vec<Dim> inward = Vec<Dim>::Zero();
-            for (const int node : face)
-                for (const int own : nodes_.wall[node])
-                    if (own >= 0 && moved_.topology.joined(own, wall))
-                        inward += inwardNormal<Dim>(moved_.x, moved_.topology.walls[own].nodes);
-            return outward.dot(inward) < -0.5 * inward.norm();
-        });
+        const auto supports = [&](int node) -> const Supports<Dim>& { return nodes_.wall[node]; };
+        return wallUnder<Dim>(moved_.topology, moved_.x, face, outward, supports) >= 0;
     }
 
     /// A face of the cell is open to the air.

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -159,6 +160,29 @@ TEST(Topology, facesOnBentWalls) {
     EXPECT_EQ(facesOf(puddle).at({3, 4}), FaceKind::wall);
     EXPECT_EQ(facesOf(puddle).at({4, 5}), FaceKind::wall);
     EXPECT_EQ(facesOf(puddle).at({3, 5}), FaceKind::freeSurface);
+}
+
+// A round tank a little more than half full: the normals of its walls at the two ends of the surface cancel but for a
+// small rest, which points down. That is no wall over the water.
+TEST(Topology, surfaceFromWallToWallOfARoundTank) {
+    const auto at = [](double degrees) {
+        return Vec<2>(std::cos(degrees * M_PI / 180), std::sin(degrees * M_PI / 180));
+    };
+    Mesh<2> mesh;
+    Points<2> x;
+    mesh.patches.push_back({"tank", {}});
+    for (int k = 0; k < 15; ++k) {
+        x.push_back(at(165 + 15 * k));
+        if (k > 0) mesh.patches[0].faces.push_back({k - 1, k});
+    }
+    x.push_back(0.5 * (x[0] + x[1]));    // 15: the left end of the surface
+    x.push_back(0.5 * (x[13] + x[14]));  // 16: the right one
+    x.emplace_back(0, -0.1);
+    mesh.fluid.nodes = {{15, 17, 16}};
+    mesh.fluid.material = {0};
+    const auto t = makeTopology<2>(mesh, {PatchKind::wall}, x, supports(18, {{15, {0, -1}}, {16, {13, -1}}}));
+    EXPECT_EQ(t.walls[0].region, t.walls[13].region);
+    EXPECT_EQ(facesOf(t).at({15, 16}), FaceKind::freeSurface);
 }
 
 TEST(Topology, twoFreeSurfaceNodesDoNotMakeAFace) {
