@@ -12,7 +12,7 @@ struct ContinuityControls {
     double schurScale = 0.15;
     double viscousScale = 1;
     double complianceScale = 1;
-    double freeSurfaceScale = 2;
+    double freeSurfaceScale = 1;
     double freeSurfaceWeight = 1;
     std::string freeSurfacePressure = "weak";
     std::string factorPrecision = "single";
@@ -33,7 +33,9 @@ struct ContinuityControls {
         v("complianceScale", complianceScale, "-",
           "factor of the elastic interface's compliance B A_s^-1 B^T in the pressure matrix", nonNegative);
         v("freeSurfaceScale", freeSurfaceScale, "-",
-          "factor of the free surface's compliance B m^-1 B^T in the pressure matrix", nonNegative);
+          "factor of the free surface's compliance B m^-1 B^T in the pressure matrix; twice as much where viscosity "
+          "is in the momentum matrix (viscousLimit)",
+          nonNegative);
         v("freeSurfaceWeight", freeSurfaceWeight, "-", "factor of tau_n M_G in the pressure matrix", positive);
         v("freeSurfacePressure", freeSurfacePressure, "-", "how p = 0 is imposed at the free surface",
           oneOf({"weak", "strong"}));

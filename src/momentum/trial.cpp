@@ -108,8 +108,8 @@ void followDepth(const Topology<Dim>& topology, Trial<Dim>& trial) {
 }  // namespace
 
 template <int Dim>
-void setExcess(const Step<Dim>& step, std::vector<double> excess, Trial<Dim>& trial) {
-    trial.excess = std::move(excess);
+void setExcess(const Step<Dim>& step, const std::vector<double>& excess, Trial<Dim>& trial) {
+    trial.excess = excess;
     followDepth<Dim>(step.topology, trial);
 }
 
@@ -148,7 +148,7 @@ void changeVelocity(const Step<Dim>& step, double part, const Points<Dim>& dv, T
 #define PFEM_INSTANTIATE(D)                                                               \
     template Trial<D> firstTrial<D>(const Step<D>&);                                      \
     template void changeVelocity<D>(const Step<D>&, double, const Points<D>&, Trial<D>&); \
-    template void setExcess<D>(const Step<D>&, std::vector<double>, Trial<D>&);
+    template void setExcess<D>(const Step<D>&, const std::vector<double>&, Trial<D>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

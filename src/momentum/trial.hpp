@@ -26,6 +26,6 @@ void changeVelocity(const Step<Dim>& step, double part, const Points<Dim>& dv, T
 
 /// The pressure of this excess.
 template <int Dim>
-void setExcess(const Step<Dim>& step, std::vector<double> excess, Trial<Dim>& trial);
+void setExcess(const Step<Dim>& step, const std::vector<double>& excess, Trial<Dim>& trial);
 
 }  // namespace pfem

@@ -20,7 +20,9 @@ std::vector<double> viscousPressureScale(double scale, const Topology<Dim>& topo
 
 template <int Dim>
 ContinuitySystem<Dim> ContinuityEquation<Dim>::makeSystem(const Points<Dim>& x) const {
-    return {step_, controls_.continuity, fluid_, stabilisation_, x, momentum_.solidBlock()};
+    ContinuityControls controls = controls_.continuity;
+    if (momentum_.isViscous()) controls.freeSurfaceScale *= 2;  // what mu div v adds to dp is not in the matrix
+    return {step_, controls, fluid_, stabilisation_, x, momentum_.solidBlock()};
 }
 
 template <int Dim>
