@@ -50,7 +50,8 @@ struct Fluid {
         fluid.domains = patches;
         const Step<Dim> step{c.problem, c.state.mesh, topology, constraints, old, {dt}, divTarget};
         const auto projected = projectedCells<Dim>(controls, c.problem, c.state.mesh.fluid, topology, old);
-        return continuityResidual<Dim>(step, controls, fluid, {tau, projected}, {trial, middle, {}, Vec<Dim>::Zero()});
+        return continuityResidual<Dim>(step, controls, fluid, {tau, projected},
+                                       {trial, middle, {}, Vec<Dim>::Zero(), {}});
     }
     PerCell<double> viscosities() const {
         return PerCell<double>(c.state.mesh.fluid.size(),

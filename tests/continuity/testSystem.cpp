@@ -70,7 +70,8 @@ struct Coupled {
         trial.p = p;
         trial.v = v;
         return continuityResidual<Dim>(step(problem), exactly(), phase(problem),
-                                       {stabilisationTime, projected(exactly())}, {trial, trial, {}, Vec<Dim>::Zero()});
+                                       {stabilisationTime, projected(exactly())},
+                                       {trial, trial, {}, Vec<Dim>::Zero(), {}});
     }
     Points<Dim> still() const { return Points<Dim>(n, Vec<Dim>::Zero()); }
 };

@@ -74,7 +74,9 @@ TEST(Openings, poiseuilleFlowPasses) {
         const Flow flow = flowOf(c);
         EXPECT_NEAR(flow.slope, -12 * mu, 0.6 * h);
         EXPECT_LT(flow.error, 3.5 * h * h);
-        if (before > 0) EXPECT_LT(flow.error, 0.5 * before);
+        if (before > 0) {
+            EXPECT_LT(flow.error, 0.5 * before);
+        }
         before = flow.error;
     }
 }

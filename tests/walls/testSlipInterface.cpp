@@ -78,7 +78,9 @@ TEST(SlipInterface, restIsExact) {
         std::cout << law << ": " << fastest(c) << " m/s\n";
         EXPECT_LT(fastest(c), 1e-10);
         for (int i = 0; i < nodes.size(); ++i)
-            if (c.topology().wet(i)) EXPECT_NEAR(nodes.p[i], 1000 * 9.81 * (0.3 - nodes.x[i][1]), 1e-6);
+            if (c.topology().wet(i)) {
+                EXPECT_NEAR(nodes.p[i], 1000 * 9.81 * (0.3 - nodes.x[i][1]), 1e-6);
+            }
     }
 }
 
@@ -108,8 +110,12 @@ TEST(SlipInterface, aStreamHasNoFriction) {
     const auto topology = c.topology();
     ASSERT_GT(topology.rides.size(), 10u);
     for (int i = 0; i < c.state.nodes.size(); ++i) {
-        if (topology.wet(i)) EXPECT_LT((c.state.nodes.v[i] - Vec<2>(1, 0)).norm(), 1e-9);
-        if (topology.onSolid[i]) EXPECT_LT((c.state.nodes.x[i] - c.state.nodes.X[i]).norm(), 1e-9);
+        if (topology.wet(i)) {
+            EXPECT_LT((c.state.nodes.v[i] - Vec<2>(1, 0)).norm(), 1e-9);
+        }
+        if (topology.onSolid[i]) {
+            EXPECT_LT((c.state.nodes.x[i] - c.state.nodes.X[i]).norm(), 1e-9);
+        }
     }
     EXPECT_NEAR(fluidForce<2>(c.problem, c.state, {}, {c.state.mesh.solid.material[0]}).viscous.force[0], 0, 1e-9);
 }
