@@ -7,8 +7,8 @@ std::vector<double> Anderson::next(const std::vector<double>& x, const std::vect
     const Eigen::VectorXd xNow = Eigen::Map<const Eigen::VectorXd>(x.data(), n);
     const Eigen::VectorXd fNow = Eigen::Map<const Eigen::VectorXd>(f.data(), n);
     if (depth_ > 0 && x_.size() == n) {
-        dx_.push_back(xNow - x_);
-        df_.push_back(fNow - f_);
+        dx_.emplace_back(xNow - x_);
+        df_.emplace_back(fNow - f_);
         if (static_cast<int>(dx_.size()) > depth_) {
             dx_.pop_front();
             df_.pop_front();

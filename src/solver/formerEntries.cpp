@@ -21,7 +21,7 @@ std::shared_ptr<const SolidLaw> withElasticity(const IsotropicElasticity& elasti
 template <int Dim>
 std::string applyStressUpdate(const Dictionary& pfemSolution, Problem<Dim>& problem) {
     const Dictionary& solid = pfemSolution.subDictOrEmpty("solid");
-    const std::string update = solid.get<std::string>("stressUpdate", "rotatedMidpoint");
+    const auto update = solid.get<std::string>("stressUpdate", "rotatedMidpoint");
     const bool neoHookean = update == "neoHookean";
     if (!neoHookean && update != "paper") return "";
     std::string names;

@@ -71,7 +71,7 @@ std::string RunSummary::text(double clock, int dim) const {
     if (iterations_.empty()) return "";
     auto sorted = iterations_;
     std::sort(sorted.begin(), sorted.end());
-    const double steps = static_cast<double>(sorted.size());
+    const auto steps = static_cast<double>(sorted.size());
     const auto share = [&](double seconds) { return 100 * seconds / std::max(clock, 1e-9); };
     return fmt::format(
         "Summary: {} steps, {} rejected ({:.2f} %), iterations median {}, largest {}\n"

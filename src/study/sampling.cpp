@@ -87,7 +87,7 @@ std::string valueInPart(const Parameter& parameter, int k, int n, double offset)
         return parameter.values[std::min(m - 1, static_cast<std::size_t>(part * static_cast<double>(m)))];
     }
     for (int digits = 6; digits < 17; ++digits) {
-        const std::string text = fmt::format("{:.{}g}", parameter.at(part), digits);
+        std::string text = fmt::format("{:.{}g}", parameter.at(part), digits);
         const double place = n * parameter.partOf(*asNumber(text));
         if (place > k && place < k + 1) return text;
     }

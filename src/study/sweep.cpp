@@ -12,7 +12,7 @@ namespace {
 /// The dictionaries in `key`, with their names. Throws UserError when there is none.
 std::vector<Dictionary> namedIn(const Dictionary& dict, const std::string& key, const char* example) {
     if (!dict.found(key)) dict.fatal(key, fmt::format("no '{0}': {0} {{ {1} }}", key, example));
-    const auto all = dict.dictList(key);
+    auto all = dict.dictList(key);
     if (all.empty()) dict.fatal(key, fmt::format("'{0}' is empty: {0} {{ {1} }}", key, example));
     return all;
 }

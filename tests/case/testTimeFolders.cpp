@@ -62,7 +62,7 @@ TEST(TimeFolders, NumbersOnlySortedByValue) {
 
 TEST(Case, MissingFolder) {
     try {
-        Case("/nonexist", "pfemX");
+        const Case none("/nonexist", "pfemX");
         FAIL();
     } catch (const UserError& error) {
         EXPECT_STREQ(error.what(), "pfemX: cannot open case directory \"/nonexist\"");
