@@ -13,7 +13,7 @@ namespace {
 class Tables : public testing::Test {
 protected:
     std::filesystem::path put(const std::string& text) {
-        const auto file = std::filesystem::path(testing::TempDir()) / "pfemTable.dat";
+        auto file = std::filesystem::path(testing::TempDir()) / "pfemTable.dat";
         std::ofstream(file) << text;
         return file;
     }
