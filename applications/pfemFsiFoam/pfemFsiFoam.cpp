@@ -3,9 +3,11 @@
 #include <chrono>
 #include <ctime>
 #include <iostream>
+#include <optional>
 
 #include "application/dimension.hpp"
 #include "application/runApplication.hpp"
+#include "application/together.hpp"
 #include "case/interrupt.hpp"
 #include "case/runLock.hpp"
 #include "case/settings.hpp"
@@ -18,6 +20,7 @@
 #include "solver/log.hpp"
 #include "solver/recorder.hpp"
 #include "solver/setup.hpp"
+#include "solver/sharedRun.hpp"
 #include "solver/waveRate.hpp"
 #include "walls/skins.hpp"
 
@@ -74,13 +77,13 @@ double firstVolume(const State<Dim>& state) {
 
 /// The loop over time.
 template <int Dim>
-void advance(TimeControl& clock, Simulation<Dim>& simulation, Recorder<Dim>& recorder,
+void advance(const Ranks& ranks, TimeControl& clock, Simulation<Dim>& simulation, Recorder<Dim>& recorder,
              FunctionObjects<Dim>& functions) {
     State<Dim>& state = simulation.state;
     const double volume = firstVolume<Dim>(state), elasticRate = elasticWaveRate<Dim>(simulation.problem, state);
     const double clockStart = clockNow(), timeStart = state.time.value;
     RunSummary summary;
-    while (clock.running(state.time)) {
+    while (ranks.ofFirst(clock.running(state.time))) {
         const CourantRate rate = courantRate<Dim>(state);
         const double coming = inletRate<Dim>(simulation.problem.conditions, state, state.time.value);
         const double dt = clock.deltaT(state.time, {.courant = std::max(rate.largest, coming),
@@ -88,7 +91,8 @@ void advance(TimeControl& clock, Simulation<Dim>& simulation, Recorder<Dim>& rec
                                                     .compression = rate.compression,
                                                     .gravityWave = gravityWaveRate<Dim>(simulation.problem, state),
                                                     .elasticWave = elasticRate});
-        const AdvanceReport report = recorder.step(dt);
+        const AdvanceReport report = recorder.step(ranks.ofFirst(dt));
+        agree<Dim>(ranks, state);
         summary.add(report, state.mesh.fluid.size() + state.mesh.solid.size());
         std::cout << courantLines(rate, report.dt) << "Time = " << clock.name(state.time) << "\n\n"
                   << stepLines<Dim>(report, state, volume);
@@ -106,23 +110,29 @@ void advance(TimeControl& clock, Simulation<Dim>& simulation, Recorder<Dim>& rec
     std::cout << summary.text(clockNow() - clockStart, Dim);
 }
 
-/// From the start folder to the end.
+/// From the start folder to the end: the first rank reads and writes, the others compute with it.
 template <int Dim>
-int solve(const Case& theCase, const Settings& settings, TimeControl& clock) {
+int solve(const Ranks& ranks, const Case& theCase, const Settings& settings, TimeControl& clock) {
     Simulation<Dim> simulation = readSimulation<Dim>(theCase, clock);
+    shareAmong<Dim>(ranks, simulation);
+    ranks.wait();  // all have read
+    if (!ranks.isFirst()) {
+        followFirst<Dim>(ranks, simulation);
+        return 0;
+    }
     State<Dim>& state = simulation.state;
     FunctionObjects<Dim> functions = readFunctions<Dim>(theCase, clock, state.time);
     keepSettings(theCase, settings);  // all of them have been accepted
 
     if (functions.wantAppeared()) state.ledger.countFields(state.nodes.size());
     Recorder<Dim> recorder(theCase, clock, simulation);
-    if (state.time.index == 0) recorder.start(clock.deltaT(state.time));
+    if (state.time.index == 0) recorder.start(ranks.ofFirst(clock.deltaT(state.time)));
     functions.start(state);
     if (clock.ended(state.time))
         std::cerr << "--> PFEM Warning: nothing to do: endTime is not after the start at " << state.time.value
                   << " s\n";
     std::cout << "Starting time loop\n\n" << std::flush;
-    advance<Dim>(clock, simulation, recorder, functions);
+    advance<Dim>(ranks, clock, simulation, recorder, functions);
 
     if (const int signal = interrupted(); signal != 0) {
         std::cout << "Stopped by " << signalName(signal) << ", the state is written in the folder "
@@ -133,15 +143,17 @@ int solve(const Case& theCase, const Settings& settings, TimeControl& clock) {
     return 0;
 }
 
-int run(const Options& options) {
+int run(const Options& options, const Ranks& ranks) {
     const Case theCase = options.openCase();
-    std::cout << startBanner(options, theCase) << "Create time\n\n" << std::flush;
-    const RunLock lock(theCase.root(), options.program());
-    const Settings settings = welcome(theCase, lock);
+    std::cout << startBanner(options, theCase, ranks.size()) << "Create time\n\n" << std::flush;
+    std::optional<RunLock> lock;
+    Settings settings;
+    if (ranks.isFirst()) settings = welcome(theCase, lock.emplace(theCase.root(), options.program()));
+    ranks.wait();  // what the last run has left is cleared
     TimeControl clock(theCase);
     std::cout << "Create mesh for time = " << clock.startName() << "\n\n" << std::flush;
     return withDimension(clock.startFolder(),
-                         [&](auto dim) { return solve<decltype(dim)::value>(theCase, settings, clock); });
+                         [&](auto dim) { return solve<decltype(dim)::value>(ranks, theCase, settings, clock); });
 }
 
 }  // namespace
@@ -150,5 +162,7 @@ int main(int argc, char* argv[]) {
     return runApplication(argc, argv,
                           "Solve free-surface flow and elastic solids in one system (nodal PFEM), from the time "
                           "folder that system/controlDict names.",
-                          {}, run);
+                          parallelOption(), [](const Options& options) {
+                              return together(options, [&](const Ranks& ranks) { return run(options, ranks); });
+                          });
 }

@@ -62,7 +62,7 @@ std::string fatalText(const std::exception& error) {
            "FOAM exiting\n\n";
 }
 
-std::string startBanner(const Options& options, const Case& theCase) {
+std::string startBanner(const Options& options, const Case& theCase, int nProcs) {
     std::string exec = options.program();
     for (std::size_t i = 1; i < options.commandLine().size(); ++i) exec += " " + options.commandLine()[i];
     std::string line = "// ";
@@ -72,8 +72,9 @@ std::string startBanner(const Options& options, const Case& theCase) {
            "\\*---------------------------------------------------------------------------*/\n" +
            fmt::format(
                "Build  : PFEM={}\nExec   : {}\nDate   : {}\nTime   : {}\nHost   : {}\nPID    : {}\n"
-               "Case   : {}\nnProcs : 1\n",
-               PFEM_VERSION, exec, now("%b %d %Y"), now("%H:%M:%S"), host(), getpid(), theCase.root().string()) +
+               "Case   : {}\nnProcs : {}\n",
+               PFEM_VERSION, exec, now("%b %d %Y"), now("%H:%M:%S"), host(), getpid(), theCase.root().string(),
+               nProcs) +
            line + "//\n";
 }
 

@@ -15,7 +15,7 @@ int runApplication(int argc, const char* const* argv, const std::string& descrip
                    const std::function<int(const Options&)>& body);
 
 /// The first lines of a log: Build, Exec, Date, Time, Host, PID, Case, nProcs.
-std::string startBanner(const Options& options, const Case& theCase);
+std::string startBanner(const Options& options, const Case& theCase, int nProcs = 1);
 
 /// The text of a fatal error:
 /// "--> FOAM FATAL IO ERROR:", the message, "file: ... at line N.", "FOAM exiting".

@@ -289,7 +289,7 @@ template <int Dim>
 std::unique_ptr<SymmetricSolver> makeSolver(const ContinuityControls& controls, const SymmetricMatrix& A,
                                             Places<Dim> place, const SaddleSizes& sizes) {
     if (byMultigrid<Dim>(controls, sizes.nPressures))
-        return multigridSolver<Dim>(A, place, sizes, controls.solverTolerance);
+        return multigridSolver<Dim>(A, place, sizes, controls.solverTolerance, controls.ranks);
     const auto precision = controls.factorPrecision == "double" ? Precision::twofold : Precision::single;
     return dissectedSolver<Dim>(A, std::move(place), precision);
 }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "dictionary/entries.hpp"
+#include "parallel/ranks.hpp"
 
 namespace pfem {
 
@@ -22,6 +23,7 @@ struct ContinuityControls {
     bool interfaceAcceleration = true;
     double volumeReturnTime = 0.02;
     double volumeCorrectionTime = 0;
+    Ranks ranks;  // that share the multigrid; by the command line (-parallel), no entry
 
     template <class Visitor>
     void entries(Visitor& v) {

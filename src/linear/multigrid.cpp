@@ -2,6 +2,8 @@
 
 #include <petscksp.h>
 
+#include <algorithm>
+
 #include "base/error.hpp"
 
 namespace pfem {
@@ -14,27 +16,32 @@ void check(PetscErrorCode code, const char* what) {
 
 /// PETSc (and MPI below it) is started when it is needed first and ends with the program. It reads no options of the
 /// user's and leaves signals alone: they stop a run in good order.
-void startPetsc() {
+void startPetsc(bool isShared) {
     static const struct Session {
-        Session() {
+        explicit Session(bool isShared) {
             PetscOptionsSetValue(nullptr, "-no_signal_handler", "true");
             check(PetscInitializeNoArguments(), "its start");
             PetscPushErrorHandler(PetscReturnErrorHandler, nullptr);
             PetscOptionsSetValue(nullptr, "-pfem_mg_levels_ksp_type", "richardson");
             PetscOptionsSetValue(nullptr, "-pfem_mg_levels_ksp_max_it", "1");
             PetscOptionsSetValue(nullptr, "-pfem_mg_levels_pc_type", "sor");
+            // ranks: PETSc's own choice adds what comes from others in the order in which it arrives
+            if (isShared) PetscOptionsSetValue(nullptr, "-matptap_via", "allatonce");
         }
         ~Session() { PetscFinalize(); }
         Session(const Session&) = delete;
         Session& operator=(const Session&) = delete;
-    } session;
+    } session(isShared);
 }
 
-/// A vector of PETSc's on numbers of ours.
+/// A vector of PETSc's on numbers of ours, those of own rows.
 class View {
 public:
-    explicit View(const Eigen::VectorXd& x) {
-        check(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, static_cast<PetscInt>(x.size()), x.data(), &vec_), "a vector");
+    View(const Eigen::VectorXd& x, const Ranks& ranks) {
+        const auto n = static_cast<PetscInt>(x.size());
+        check(ranks.isAlone() ? VecCreateSeqWithArray(PETSC_COMM_SELF, 1, n, x.data(), &vec_)
+                              : VecCreateMPIWithArray(PETSC_COMM_WORLD, 1, n, PETSC_DECIDE, x.data(), &vec_),
+              "a vector");
     }
     ~View() { VecDestroy(&vec_); }
     View(const View&) = delete;
@@ -45,21 +52,51 @@ private:
     ::Vec vec_ = nullptr;
 };
 
+/// An operator on all unknowns.
+struct WholeOperator {
+    Multigrid::Operator apply;
+    const RankRows& rows;
+
+    Eigen::VectorXd operator()(const Eigen::VectorXd& own) const {
+        return rows.ranks.isAlone() ? apply(own) : rows.own(apply(rows.all(own)));
+    }
+};
+
 /// y = apply(x), called by PETSc.
 PetscErrorCode applyOperator(::Mat A, ::Vec x, ::Vec y) {
     void* context = nullptr;
     MatShellGetContext(A, &context);
     PetscInt n = 0;
-    VecGetSize(x, &n);
+    VecGetLocalSize(x, &n);
     const PetscScalar* from = nullptr;
     PetscScalar* to = nullptr;
     VecGetArrayRead(x, &from);
     VecGetArray(y, &to);
     Eigen::Map<Eigen::VectorXd>(to, n) =
-        (*static_cast<Multigrid::Operator*>(context))(Eigen::Map<const Eigen::VectorXd>(from, n));
+        (*static_cast<const WholeOperator*>(context))(Eigen::Map<const Eigen::VectorXd>(from, n));
     VecRestoreArray(y, &to);
     VecRestoreArrayRead(x, &from);
     return 0;
+}
+
+/// Own rows of A, in the rows' order.
+SparseRows ownRows(const SparseRows& A, const RankRows& rows) {
+    std::vector<int> rowOf(A.n());
+    for (int row = 0; row < A.n(); ++row) rowOf[rows.order[row]] = row;
+    SparseRows own;
+    std::vector<std::pair<int, double>> entries;
+    for (int row = rows.begin(); row < rows.end(); ++row) {
+        const int i = rows.order[row];
+        entries.clear();
+        for (int s = A.start[i]; s < A.start[i + 1]; ++s) entries.emplace_back(rowOf[A.column[s]], A.value[s]);
+        std::sort(entries.begin(), entries.end());
+        for (const auto& [column, value] : entries) {
+            own.column.push_back(column);
+            own.value.push_back(value);
+        }
+        own.start.push_back(static_cast<int>(own.column.size()));
+    }
+    return own;
 }
 
 }  // namespace
@@ -67,11 +104,15 @@ PetscErrorCode applyOperator(::Mat A, ::Vec x, ::Vec y) {
 bool hasMultigrid() { return true; }
 
 struct Multigrid::Petsc {
-    SparseRows rows;  // PETSc's matrix has no copy of its own
-    Operator apply;
+    RankRows shares;
+    SparseRows rows;  // where one rank has all, PETSc's matrix has no copy of its own
+    WholeOperator whole{{}, shares};
     ::Mat A = nullptr, shell = nullptr;
     KSP ksp = nullptr;
 
+    explicit Petsc(RankRows rowsOfRanks) : shares(std::move(rowsOfRanks)) {}
+    Petsc(const Petsc&) = delete;
+    Petsc& operator=(const Petsc&) = delete;
     ~Petsc() {
         clear();
         KSPDestroy(&ksp);
@@ -81,12 +122,28 @@ struct Multigrid::Petsc {
         MatDestroy(&A);
         MatDestroy(&shell);
     }
+    MPI_Comm communicator() const { return shares.ranks.isAlone() ? PETSC_COMM_SELF : PETSC_COMM_WORLD; }
+    /// A of all unknowns becomes PETSc's matrix of own rows.
+    void makeMatrix(SparseRows all) {
+        const PetscInt n = all.n();
+        if (shares.ranks.isAlone()) {
+            rows = std::move(all);
+            check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, n, n, rows.start.data(), rows.column.data(),
+                                            rows.value.data(), &A),
+                  "a matrix");
+            return;
+        }
+        const SparseRows own = ownRows(all, shares);
+        check(MatCreateMPIAIJWithArrays(PETSC_COMM_WORLD, own.n(), own.n(), n, n, own.start.data(), own.column.data(),
+                                        own.value.data(), &A),
+              "a matrix");
+    }
 };
 
-Multigrid::Multigrid(double tolerance) : petsc_(std::make_unique<Petsc>()) {
-    startPetsc();
+Multigrid::Multigrid(double tolerance, RankRows rows) : petsc_(std::make_unique<Petsc>(std::move(rows))) {
+    startPetsc(!petsc_->shares.ranks.isAlone());
     KSP& ksp = petsc_->ksp;
-    check(KSPCreate(PETSC_COMM_SELF, &ksp), "a solver");
+    check(KSPCreate(petsc_->communicator(), &ksp), "a solver");
     KSPSetType(ksp, KSPCG);
     KSPSetTolerances(ksp, tolerance, 0, PETSC_DEFAULT, 500);
     PC pc = nullptr;
@@ -102,15 +159,12 @@ Multigrid::~Multigrid() = default;
 void Multigrid::setUp(SparseRows A, Operator apply) {
     Petsc& p = *petsc_;
     p.clear();
-    p.rows = std::move(A);
-    p.apply = std::move(apply);
-    const PetscInt n = p.rows.n();
-    check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, n, n, p.rows.start.data(), p.rows.column.data(),
-                                    p.rows.value.data(), &p.A),
-          "a matrix");
+    p.whole.apply = std::move(apply);
+    const PetscInt n = A.n(), nOwn = p.shares.ranks.isAlone() ? n : p.shares.nOwn();
+    p.makeMatrix(std::move(A));
     MatSetOption(p.A, MAT_SPD, PETSC_TRUE);
-    if (p.apply) {
-        check(MatCreateShell(PETSC_COMM_SELF, n, n, n, n, &p.apply, &p.shell), "an operator");
+    if (p.whole.apply) {
+        check(MatCreateShell(p.communicator(), nOwn, nOwn, n, n, &p.whole, &p.shell), "an operator");
         MatShellSetOperation(p.shell, MATOP_MULT, reinterpret_cast<void (*)()>(applyOperator));
         MatSetOption(p.shell, MAT_SPD, PETSC_TRUE);
     }
@@ -121,14 +175,18 @@ void Multigrid::setUp(SparseRows A, Operator apply) {
 Eigen::VectorXd Multigrid::solve(const Eigen::VectorXd& b) const {
     Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
     if (b.size() == 0 || b.isZero(0)) return x;
-    const View from(b), to(x);
+    const RankRows& rows = petsc_->shares;
+    const bool isAlone = rows.ranks.isAlone();
+    const Eigen::VectorXd ownB = isAlone ? Eigen::VectorXd() : rows.own(b);
+    Eigen::VectorXd ownX = Eigen::VectorXd::Zero(ownB.size());
+    const View from(isAlone ? b : ownB, rows.ranks), to(isAlone ? x : ownX, rows.ranks);
     check(KSPSolve(petsc_->ksp, from.get(), to.get()), "the iteration");
     KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
     KSPGetConvergedReason(petsc_->ksp, &reason);
     if (reason <= 0)
         throw StepFailure(std::string("the linear iteration of the pressure does not converge: ") +
                           KSPConvergedReasons[reason]);
-    return x;
+    return isAlone ? x : rows.all(ownX);
 }
 
 int Multigrid::iterations() const {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 
+#include "linear/rankRows.hpp"
 #include "linear/saddle.hpp"
 
 namespace pfem {
@@ -16,8 +17,9 @@ class Multigrid {
 public:
     using Operator = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 
-    /// `tolerance`: of the preconditioned residual, beside that of b. Throws UserError in a build without PETSc.
-    explicit Multigrid(double tolerance);
+    /// `tolerance`: of the preconditioned residual, beside that of b. `rows`: who has which; all ranks have all of A, b
+    /// and x. Throws UserError in a build without PETSc.
+    explicit Multigrid(double tolerance, RankRows rows = {});
     ~Multigrid();
 
     /// The levels for `A`, rows with ascending columns. `apply`: the operator that is solved with them, if it is not A.

@@ -9,7 +9,7 @@ struct Multigrid::Petsc {};
 
 bool hasMultigrid() { return false; }
 
-Multigrid::Multigrid(double) {
+Multigrid::Multigrid(double, RankRows) {
     throw UserError("This build has no multigrid (CMake's PFEM_PETSC): write 'solver direct;' or 'solver auto;'.");
 }
 Multigrid::~Multigrid() = default;

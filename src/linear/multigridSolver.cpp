@@ -2,8 +2,9 @@
 
 namespace pfem {
 
-MultigridSolver::MultigridSolver(SaddleSizes sizes, std::unique_ptr<SymmetricSolver> elastic, double tolerance)
-    : sizes_(sizes), elastic_(std::move(elastic)), multigrid_(tolerance) {}
+MultigridSolver::MultigridSolver(SaddleSizes sizes, std::unique_ptr<SymmetricSolver> elastic, double tolerance,
+                                 RankRows rows)
+    : sizes_(sizes), elastic_(std::move(elastic)), multigrid_(tolerance, std::move(rows)) {}
 
 void MultigridSolver::analyse(const SymmetricMatrix& A) {
     if (sizes_.nElastic > 0) elastic_->analyse(elasticBlock(A, sizes_));

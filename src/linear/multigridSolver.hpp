@@ -12,8 +12,8 @@ namespace pfem {
 /// levels are those of K + B diag(M)^{-1} B^T, which is S where M is diagonal.
 class MultigridSolver : public SymmetricSolver {
 public:
-    /// `elastic`: a solver for M of the elastic velocities, if there are any.
-    MultigridSolver(SaddleSizes sizes, std::unique_ptr<SymmetricSolver> elastic, double tolerance);
+    /// `elastic`: a solver for M of the elastic velocities, if there are any. `rows` of the pressures.
+    MultigridSolver(SaddleSizes sizes, std::unique_ptr<SymmetricSolver> elastic, double tolerance, RankRows rows);
 
     void analyse(const SymmetricMatrix& A) override;
     void factor(const SymmetricMatrix& A) override;

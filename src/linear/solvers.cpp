@@ -51,20 +51,21 @@ std::unique_ptr<SymmetricSolver> elasticSolver(const SymmetricMatrix& A, Places<
 
 template <int Dim>
 std::unique_ptr<SymmetricSolver> multigridSolver(const SymmetricMatrix& A, const Places<Dim>& place,
-                                                 const SaddleSizes& sizes, double tolerance) {
+                                                 const SaddleSizes& sizes, double tolerance, const Ranks& ranks) {
     std::unique_ptr<SymmetricSolver> elastic;
     if (sizes.nElastic > 0) {
         const auto first = place.begin() + sizes.nPressures;
         elastic = elasticSolver<Dim>(elasticBlock(A, sizes), Places<Dim>(first, first + sizes.nElastic));
     }
-    return std::make_unique<MultigridSolver>(sizes, std::move(elastic), tolerance);
+    return std::make_unique<MultigridSolver>(sizes, std::move(elastic), tolerance,
+                                             rankRows<Dim>(ranks, place, sizes.nPressures));
 }
 
 #define PFEM_INSTANTIATE(D)                                                                                     \
     template std::unique_ptr<SymmetricSolver> dissectedSolver<D>(const SymmetricMatrix&, Places<D>, Precision); \
     template std::unique_ptr<SymmetricSolver> elasticSolver<D>(const SymmetricMatrix&, Places<D>);              \
     template std::unique_ptr<SymmetricSolver> multigridSolver<D>(const SymmetricMatrix&, const Places<D>&,      \
-                                                                 const SaddleSizes&, double);
+                                                                 const SaddleSizes&, double, const Ranks&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

@@ -6,6 +6,7 @@
 #include "linear/nestedDissection.hpp"
 #include "linear/saddle.hpp"
 #include "linear/symmetricSolver.hpp"
+#include "parallel/ranks.hpp"
 
 namespace pfem {
 
@@ -20,9 +21,10 @@ std::unique_ptr<SymmetricSolver> dissectedSolver(const SymmetricMatrix& A, Place
 template <int Dim>
 std::unique_ptr<SymmetricSolver> elasticSolver(const SymmetricMatrix& A, Places<Dim> place);
 
-/// The same as `dissectedSolver` for [K B; B^T -M], by multigrid for the pressures; `place` of all unknowns.
+/// The same as `dissectedSolver` for [K B; B^T -M], by multigrid for the pressures, whose rows `ranks` share; `place`
+/// of all unknowns.
 template <int Dim>
 std::unique_ptr<SymmetricSolver> multigridSolver(const SymmetricMatrix& A, const Places<Dim>& place,
-                                                 const SaddleSizes& sizes, double tolerance);
+                                                 const SaddleSizes& sizes, double tolerance, const Ranks& ranks = {});
 
 }  // namespace pfem

@@ -107,7 +107,7 @@ template <>
 struct Triangulator<2>::Kept : MovedTriangulation {};
 
 template <>
-Triangulator<2>::Triangulator() : kept_(std::make_unique<Kept>()) {}
+Triangulator<2>::Triangulator(Ranks ranks, double halo) : ranks_(ranks), halo_(halo), kept_(std::make_unique<Kept>()) {}
 template <>
 Triangulator<2>::~Triangulator() = default;
 template <>

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/types.hpp"
+#include "parallel/ranks.hpp"
 
 namespace pfem {
 
@@ -17,15 +18,17 @@ struct Triangulation {
 /// Delaunay triangulations of points that move a little from one time to the next. The result is that of a
 /// triangulation from nothing, to the order of the cells: by their first nodes, the smallest of each cell, then by the
 /// second (and third). In 2D what the last time has left is mended, and faces constrain the triangulation; in 3D they
-/// do not.
+/// do not, and ranks share the work.
 template <int Dim>
 class Triangulator {
 public:
-    Triangulator();
+    Triangulator() : Triangulator(Ranks(), 0) {}
+    /// By ranks that share the work; `halo`: of sharedDelaunay.
+    Triangulator(Ranks ranks, double halo);
     ~Triangulator();
     /// A copy begins from nothing.
-    Triangulator(const Triangulator&) : Triangulator() {}
-    Triangulator& operator=(const Triangulator&) { return *this = Triangulator(); }
+    Triangulator(const Triangulator& other) : Triangulator(other.ranks_, other.halo_) {}
+    Triangulator& operator=(const Triangulator& other) { return *this = Triangulator(other); }
     Triangulator(Triangulator&&) noexcept;
     Triangulator& operator=(Triangulator&&) noexcept;
 
@@ -41,6 +44,8 @@ public:
 
 private:
     struct Kept;
+    Ranks ranks_;
+    double halo_ = 0;
     std::unique_ptr<Kept> kept_;
 };
 

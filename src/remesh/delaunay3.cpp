@@ -8,6 +8,8 @@
 
 #include "base/parallel.hpp"
 #include "remesh/delaunay.hpp"
+#include "remesh/sharedDelaunay.hpp"
+#include "remesh/spaceDelaunay.hpp"
 
 namespace pfem {
 
@@ -55,13 +57,32 @@ std::vector<Turned> sortedCells(const Delaunay& triangulation) {
 
 }  // namespace
 
+Triangulation<3> spaceDelaunay(const Points<3>& points, const std::vector<int>& active, bool* coincide) {
+    std::vector<std::pair<Kernel::Point_3, int>> input;
+    for (const int i : active) input.push_back({{points[i][0], points[i][1], points[i][2]}, i});
+    const Delaunay triangulation(input.begin(), input.end());
+    if (coincide) *coincide = triangulation.number_of_vertices() < active.size();
+    Triangulation<3> result;
+    if (triangulation.dimension() < 3) return result;
+    const auto cells = sortedCells(triangulation);
+    for (const auto cell : triangulation.all_cell_handles()) cell->info() = -1;
+    for (std::size_t e = 0; e < cells.size(); ++e) cells[e].cell->info() = static_cast<int>(e);
+    result.cells.resize(cells.size());
+    result.neighbours.resize(cells.size());
+    parallelFor(static_cast<int>(cells.size()), [&](int e) {
+        result.cells[e] = cells[e].nodes;
+        for (int k = 0; k < 4; ++k) result.neighbours[e][k] = cells[e].cell->neighbor(cells[e].local[k])->info();
+    });
+    return result;
+}
+
 template <>
 struct Triangulator<3>::Kept {
     Triangulation<3> last;
 };
 
 template <>
-Triangulator<3>::Triangulator() : kept_(std::make_unique<Kept>()) {}
+Triangulator<3>::Triangulator(Ranks ranks, double halo) : ranks_(ranks), halo_(halo), kept_(std::make_unique<Kept>()) {}
 template <>
 Triangulator<3>::~Triangulator() = default;
 template <>
@@ -72,20 +93,7 @@ Triangulator<3>& Triangulator<3>::operator=(Triangulator&&) noexcept = default;
 template <>
 void Triangulator<3>::follow(const Points<3>& points, const std::vector<Id>&, const std::vector<int>& active,
                              const std::vector<Face<3>>&, const std::vector<Face<3>>&) {
-    std::vector<std::pair<Kernel::Point_3, int>> input;
-    for (const int i : active) input.push_back({{points[i][0], points[i][1], points[i][2]}, i});
-    const Delaunay triangulation(input.begin(), input.end());
-    Triangulation<3>& result = kept_->last = {};
-    if (triangulation.dimension() < 3) return;
-    const auto cells = sortedCells(triangulation);
-    for (const auto cell : triangulation.all_cell_handles()) cell->info() = -1;
-    for (std::size_t e = 0; e < cells.size(); ++e) cells[e].cell->info() = static_cast<int>(e);
-    result.cells.resize(cells.size());
-    result.neighbours.resize(cells.size());
-    parallelFor(static_cast<int>(cells.size()), [&](int e) {
-        result.cells[e] = cells[e].nodes;
-        for (int k = 0; k < 4; ++k) result.neighbours[e][k] = cells[e].cell->neighbor(cells[e].local[k])->info();
-    });
+    kept_->last = ranks_.isAlone() ? spaceDelaunay(points, active) : sharedDelaunay(points, active, ranks_, halo_);
 }
 
 template <>

@@ -1,0 +1,170 @@
+#include "remesh/sharedDelaunay.hpp"
+
+#include <algorithm>
+
+#include "base/parallel.hpp"
+#include "mesh/simplex.hpp"
+#include "remesh/cellNeighbours.hpp"
+#include "remesh/provenCells.hpp"
+#include "remesh/spaceDelaunay.hpp"
+
+namespace pfem {
+
+namespace {
+
+/// The outward face opposite to node k, its smallest node first.
+Face<3> outwardFace(const Simplex<3>& cell, int k) {
+    Face<3> face = oppositeFace<3>(cell, k);
+    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+    return face;
+}
+
+Face<3> turnedRound(const Face<3>& face) { return {face[0], face[2], face[1]}; }
+
+/// A face of the known cells beyond which no cell is known.
+struct OpenFace {
+    Face<3> face;  // outward
+    int cell, opposite;
+};
+
+/// What is missing beside known cells.
+class Completion {
+public:
+    Completion(const Points<3>& x, const std::vector<int>& active, const std::vector<Simplex<3>>& known)
+        : known_(known), neighbours_(cellNeighbours(known, static_cast<int>(x.size()))) {
+        findOpenFaces();
+        rest_ = spaceDelaunay(x, openPoints(active, x.size()));
+        beyond_.assign(rest_.cells.size(), {-1, -1, -1, -1});
+        missing_.assign(rest_.cells.size(), 0);
+    }
+
+    /// Cells of the rest that are missing: on the far side of open faces, and all that is joined to them or to the
+    /// hull without crossing one. Does each open face have its other side?
+    bool findMissing() {
+        std::size_t closed = 0;
+        std::vector<int> work;
+        const auto take = [&](int r) {
+            if (!missing_[r]) work.push_back(r);
+            missing_[r] = 1;
+        };
+        for (int r = 0; r < static_cast<int>(rest_.cells.size()); ++r)
+            for (int k = 0; k < 4; ++k) {
+                const Face<3> face = outwardFace(rest_.cells[r], k);
+                beyond_[r][k] = openFace(turnedRound(face));
+                const bool atHull = rest_.neighbours[r][k] < 0, ofKnown = atHull && openFace(face) >= 0;
+                closed += beyond_[r][k] >= 0 || ofKnown;
+                if (beyond_[r][k] >= 0 || (atHull && !ofKnown)) take(r);
+            }
+        while (!work.empty()) {
+            const int r = work.back();
+            work.pop_back();
+            for (int k = 0; k < 4; ++k)
+                if (beyond_[r][k] < 0 && rest_.neighbours[r][k] >= 0) take(rest_.neighbours[r][k]);
+        }
+        return closed == open_.size();
+    }
+
+    /// Known and missing cells in one order.
+    Triangulation<3> merged() const {
+        std::vector<int> ofKnown(known_.size()), ofRest(rest_.cells.size(), -1);
+        Triangulation<3> result;
+        std::size_t e = 0;
+        const auto takeKnown = [&] {
+            ofKnown[e] = static_cast<int>(result.cells.size());
+            result.cells.push_back(known_[e++]);
+        };
+        for (std::size_t r = 0; r < rest_.cells.size(); ++r) {
+            if (!missing_[r]) continue;
+            while (e < known_.size() && known_[e] < rest_.cells[r]) takeKnown();
+            ofRest[r] = static_cast<int>(result.cells.size());
+            result.cells.push_back(rest_.cells[r]);
+        }
+        while (e < known_.size()) takeKnown();
+
+        result.neighbours.assign(result.cells.size(), {-1, -1, -1, -1});
+        parallelFor(static_cast<int>(known_.size()), [&](int own) {
+            for (int k = 0; k < 4; ++k)
+                if (neighbours_[own][k] >= 0) result.neighbours[ofKnown[own]][k] = ofKnown[neighbours_[own][k]];
+        });
+        for (std::size_t r = 0; r < rest_.cells.size(); ++r)
+            for (int k = 0; missing_[r] && k < 4; ++k) {
+                if (beyond_[r][k] < 0) {
+                    const int other = rest_.neighbours[r][k];
+                    if (other >= 0) result.neighbours[ofRest[r]][k] = ofRest[other];
+                    continue;
+                }
+                const OpenFace& open = open_[beyond_[r][k]];
+                result.neighbours[ofRest[r]][k] = ofKnown[open.cell];
+                result.neighbours[ofKnown[open.cell]][open.opposite] = ofRest[r];
+            }
+        return result;
+    }
+
+private:
+    void findOpenFaces() {
+        for (int e = 0; e < static_cast<int>(known_.size()); ++e)
+            for (int k = 0; k < 4; ++k)
+                if (neighbours_[e][k] < 0) open_.push_back({outwardFace(known_[e], k), e, k});
+        std::sort(open_.begin(), open_.end(), [](const OpenFace& a, const OpenFace& b) { return a.face < b.face; });
+    }
+
+    /// Those of open faces, and those without a known cell: a star has no other way from known to missing cells than
+    /// through an open face.
+    std::vector<int> openPoints(const std::vector<int>& active, std::size_t nPoints) const {
+        std::vector<unsigned char> isOpen(nPoints, 1);
+        for (const auto& cell : known_)
+            for (const int i : cell) isOpen[i] = 0;
+        for (const auto& open : open_)
+            for (const int i : open.face) isOpen[i] = 1;
+        std::vector<int> points;
+        for (const int i : active)
+            if (isOpen[i]) points.push_back(i);
+        return points;
+    }
+
+    /// The number of the open face with these nodes in this order, or -1.
+    int openFace(const Face<3>& face) const {
+        const auto at = std::lower_bound(open_.begin(), open_.end(), face,
+                                         [](const OpenFace& open, const Face<3>& f) { return open.face < f; });
+        return at != open_.end() && at->face == face ? static_cast<int>(at - open_.begin()) : -1;
+    }
+
+    const std::vector<Simplex<3>>& known_;
+    std::vector<std::array<int, 4>> neighbours_;  // of the known cells among themselves
+    std::vector<OpenFace> open_;
+    Triangulation<3> rest_;                   // of the open points
+    std::vector<std::array<int, 4>> beyond_;  // per face of the rest: the open face whose other side it is, or -1
+    std::vector<unsigned char> missing_;      // per cell of the rest
+};
+
+/// Parts of one order each, one after the other, to one order.
+template <class Value>
+void mergeParts(std::vector<Value>& all, const std::vector<std::size_t>& ends) {
+    const auto at = [&](std::size_t k) { return all.begin() + static_cast<std::ptrdiff_t>(k); };
+    for (std::size_t part = 1; part < ends.size(); ++part)
+        std::inplace_merge(all.begin(), at(ends[part - 1]), at(ends[part]));
+}
+
+}  // namespace
+
+std::optional<Triangulation<3>> completed(const Points<3>& x, const std::vector<int>& active,
+                                          const std::vector<Simplex<3>>& known) {
+    Completion completion(x, active, known);
+    if (!completion.findMissing()) return std::nullopt;
+    return completion.merged();
+}
+
+Triangulation<3> sharedDelaunay(const Points<3>& x, const std::vector<int>& active, const Ranks& ranks, double halo) {
+    const auto parts = bisect<3>(x, active, ranks.size());
+    const ProvenCells mine = provenCells(x, active, parts, ranks.rank(), halo);
+    std::vector<std::size_t> ends;
+    std::vector<Simplex<3>> known = ranks.gather(mine.cells, ends);
+    const auto coincide = ranks.gather(std::vector<unsigned char>{mine.coincide});
+    if (std::count(coincide.begin(), coincide.end(), 1) == 0) {
+        mergeParts(known, ends);
+        if (auto whole = completed(x, active, known)) return *std::move(whole);
+    }
+    return spaceDelaunay(x, active);  // of points that coincide one stands for all: which one, only the whole can say
+}
+
+}  // namespace pfem

@@ -1,0 +1,22 @@
+#pragma once
+// A run that ranks share: each has the whole state and computes the same; what is divided is the triangulation and the
+// multigrid.
+
+#include "solver/simulation.hpp"
+
+namespace pfem {
+
+/// From now on `ranks` share the simulation's work. Throws UserError in the plane, which has nothing to share.
+template <int Dim>
+void shareAmong(const Ranks& ranks, Simulation<Dim>& simulation);
+
+/// What the other ranks do in a run: the start, if there is one, and steps, of which the first one says by its ofFirst
+/// that there is another, and how long it is, until it says that there is none.
+template <int Dim>
+void followFirst(const Ranks& ranks, Simulation<Dim>& simulation);
+
+/// After a step: the first one's time is that of all. Throws UserError when the states differ in a bit.
+template <int Dim>
+void agree(const Ranks& ranks, State<Dim>& state);
+
+}  // namespace pfem
