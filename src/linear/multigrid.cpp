@@ -18,7 +18,7 @@ void check(PetscErrorCode code, const char* what) {
 /// user's and leaves signals alone: they stop a run in good order.
 void startPetsc(bool isShared) {
     static const struct Session {
-        explicit Session(bool isShared) {
+        explicit Session(bool byRanks) {
             PetscOptionsSetValue(nullptr, "-no_signal_handler", "true");
             check(PetscInitializeNoArguments(), "its start");
             PetscPushErrorHandler(PetscReturnErrorHandler, nullptr);
@@ -26,7 +26,7 @@ void startPetsc(bool isShared) {
             PetscOptionsSetValue(nullptr, "-pfem_mg_levels_ksp_max_it", "1");
             PetscOptionsSetValue(nullptr, "-pfem_mg_levels_pc_type", "sor");
             // ranks: PETSc's own choice adds what comes from others in the order in which it arrives
-            if (isShared) PetscOptionsSetValue(nullptr, "-matptap_via", "allatonce");
+            if (byRanks) PetscOptionsSetValue(nullptr, "-matptap_via", "allatonce");
         }
         ~Session() { PetscFinalize(); }
         Session(const Session&) = delete;
@@ -160,11 +160,11 @@ void Multigrid::setUp(SparseRows A, Operator apply) {
     Petsc& p = *petsc_;
     p.clear();
     p.whole.apply = std::move(apply);
-    const PetscInt n = A.n(), nOwn = p.shares.ranks.isAlone() ? n : p.shares.nOwn();
+    const PetscInt n = A.n(), nRows = p.shares.ranks.isAlone() ? n : p.shares.nRows();
     p.makeMatrix(std::move(A));
     MatSetOption(p.A, MAT_SPD, PETSC_TRUE);
     if (p.whole.apply) {
-        check(MatCreateShell(p.communicator(), nOwn, nOwn, n, n, &p.whole, &p.shell), "an operator");
+        check(MatCreateShell(p.communicator(), nRows, nRows, n, n, &p.whole, &p.shell), "an operator");
         MatShellSetOperation(p.shell, MATOP_MULT, reinterpret_cast<void (*)()>(applyOperator));
         MatSetOption(p.shell, MAT_SPD, PETSC_TRUE);
     }

@@ -8,7 +8,7 @@
 namespace pfem {
 
 Eigen::VectorXd RankRows::own(const Eigen::VectorXd& all) const {
-    Eigen::VectorXd result(nOwn());
+    Eigen::VectorXd result(nRows());
     for (int row = begin(); row < end(); ++row) result[row - begin()] = all[order[row]];
     return result;
 }

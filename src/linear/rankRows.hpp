@@ -14,7 +14,7 @@ struct RankRows {
 
     int begin() const { return first[ranks.rank()]; }
     int end() const { return first[ranks.rank() + 1]; }
-    int nOwn() const { return end() - begin(); }
+    int nRows() const { return end() - begin(); }
 
     /// The numbers of own rows, from those of all unknowns, and the other way round (collective).
     Eigen::VectorXd own(const Eigen::VectorXd& all) const;
