@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 #include <tuple>
 #include <vector>
@@ -50,6 +51,52 @@ Sample byColumns(Sample s) {
     return s;
 }
 
+/// own = L11^{-1} own, below = L21 own, four columns at a time.
+template <class Stored>
+void eliminatePlainly(const std::vector<Stored>& L, int m, std::vector<double>& own, std::vector<double>& below) {
+    const int width = static_cast<int>(own.size()), r = m - width;
+    const auto at = [&](int i, int k) { return static_cast<double>(L[static_cast<std::size_t>(k) * m + i]); };
+    for (int k = 0; k < width; ++k)
+        for (int i = k + 1; i < width; ++i) own[i] -= at(i, k) * own[k];
+    for (int i = 0; i < r; ++i) {
+        const auto term = [&](int k) { return at(width + i, k) * own[k]; };
+        int k = 0;
+        for (; k + 4 <= width; k += 4) below[i] += (term(k) + term(k + 1)) + (term(k + 2) + term(k + 3));
+        for (; k < width; ++k) below[i] += term(k);
+    }
+}
+
+/// own = L11^{-T} (D^{-1} own - L21^T below), eight sums side by side.
+template <class Stored>
+void substitutePlainly(const std::vector<Stored>& L, int m, const std::vector<double>& below,
+                       std::vector<double>& own) {
+    const int width = static_cast<int>(own.size()), r = m - width;
+    const auto at = [&](int i, int k) { return static_cast<double>(L[static_cast<std::size_t>(k) * m + i]); };
+    for (int k = width - 1; k >= 0; --k) {
+        double sums[8] = {}, sum = 0;
+        for (int i = 0; i < r; ++i) sums[i % 8] += at(width + i, k) * below[i];
+        for (const double part : sums) sum += part;
+        for (int i = k + 1; i < width; ++i) sum += at(i, k) * own[i];
+        own[k] = own[k] / at(k, k) - sum;
+    }
+}
+
+/// Both with the registers of this processor (AVX2 or AVX-512 where it has them) and by plain loops.
+template <class Stored>
+void expectBitsOfPlainLoops(const Sample& s) {
+    const std::vector<Stored> L(s.F.begin(), s.F.end());
+    std::vector<double> own(s.width), below(s.left(), 0.0);
+    for (int k = 0; k < s.width; ++k) own[k] = std::sin(k + 1.0);
+    std::vector<double> plainOwn = own, plainBelow = below;
+    eliminateColumns(L.data(), s.m, s.width, own.data(), below.data());
+    eliminatePlainly(L, s.m, plainOwn, plainBelow);
+    EXPECT_EQ(own, plainOwn);
+    EXPECT_EQ(below, plainBelow);
+    substituteColumns(L.data(), s.m, s.width, below.data(), own.data());
+    substitutePlainly(L, s.m, plainBelow, plainOwn);
+    EXPECT_EQ(own, plainOwn);
+}
+
 }  // namespace
 
 class DenseFront : public testing::TestWithParam<std::tuple<int, int>> {};
@@ -67,6 +114,15 @@ TEST_P(DenseFront, tilesGiveTheBitsOfColumns) {
             ASSERT_EQ(s.F[at], expected.F[at]) << "row " << i << ", column " << k;
         }
     EXPECT_EQ(s.U, expected.U);
+}
+
+/// Registers of any width give the same bits: what is computed does not depend on the machine.
+TEST_P(DenseFront, substitutionsGiveTheBitsOfPlainLoops) {
+    const auto [left, width] = GetParam();
+    Sample s = sample(left + width, width);
+    ASSERT_TRUE(factorColumns(s.F.data(), s.m, width));
+    expectBitsOfPlainLoops<float>(s);
+    expectBitsOfPlainLoops<double>(s);
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, DenseFront,
