@@ -1,11 +1,11 @@
 #include "conditions/rigidBodies.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "base/spectrum.hpp"
 #include "material/rigid.hpp"
 #include "mesh/components.hpp"
 #include "mesh/simplex.hpp"
@@ -123,10 +123,10 @@ struct HeldMotions {
     void free(RigidBody<Dim>& body) const {
         body.free = TwistMatrix<Dim>::Identity();
         if (sum.isZero(0)) return;
-        const Eigen::SelfAdjointEigenSolver<TwistMatrix<Dim>> eigen(sum);
+        const auto eigen = spectrum<nTwist<Dim>>(sum);
         int n = 0;
-        while (n < nTwist<Dim> && eigen.eigenvalues()[n] < 1e-9 * eigen.eigenvalues().maxCoeff()) ++n;
-        body.free = eigen.eigenvectors().leftCols(n);
+        while (n < nTwist<Dim> && eigen.values[n] < 1e-9 * eigen.values.maxCoeff()) ++n;
+        body.free = eigen.vectors.leftCols(n);
         const Twist<Dim> twist = body.twist;
         body.twist.setZero();
         Twist<Dim> scaled = twist;

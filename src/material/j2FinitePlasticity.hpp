@@ -2,8 +2,7 @@
 // Elastic-plastic solid at finite strain: F = F_e F_p, von Mises, isotropic hardening, Hencky's elasticity: W_s = mu
 // e':e', U = kappa/2 (ln J)^2 with e the logarithmic elastic strain. Plastic flow keeps the volume.
 
-#include <Eigen/Eigenvalues>
-
+#include "base/spectrum.hpp"
 #include "material/hyperelasticLaw.hpp"
 #include "material/j2Law.hpp"
 
@@ -21,9 +20,9 @@ public:
     /// 1992).
     Tensor<3> shear(const Tensor<3>& F, const RateStep& step) const {
         const double mu = elastic.mu();
-        const Eigen::SelfAdjointEigenSolver<Tensor<3>> trial(F * plasticMetric(step.before) * F.transpose());
-        if (!(trial.eigenvalues()[0] > 0)) throw StepFailure("elastic strain of a plastic solid without bound");
-        Vec<3> e = 0.5 * trial.eigenvalues().array().log();
+        const auto trial = spectrum<3>(F * plasticMetric(step.before) * F.transpose());
+        if (!(trial.values[0] > 0)) throw StepFailure("elastic strain of a plastic solid without bound");
+        Vec<3> e = 0.5 * trial.values.array().log();
         const double mean = e.mean();
         const Vec<3> deviator = e.array() - mean;
         const double q = 2 * mu * std::sqrt(1.5) * deviator.norm();
@@ -32,20 +31,18 @@ public:
         if (x > 0) {
             e = (kept * deviator).array() + mean;
             const Tensor<3> Fi = F.inverse();
-            const Tensor<3> b =
-                trial.eigenvectors() * (2 * e.array()).exp().matrix().asDiagonal() * trial.eigenvectors().transpose();
+            const Tensor<3> b = trial.vectors * (2 * e.array()).exp().matrix().asDiagonal() * trial.vectors.transpose();
             setPlasticMetric(Fi * b * Fi.transpose(), step.history);
         } else {
             std::copy(step.before.begin(), step.before.end(), step.history.begin());
         }
         step.history[0] = step.before[0] + x;
         const Vec<3> tau = 2 * mu * kept * deviator;
-        return trial.eigenvectors() * (tau / F.determinant()).asDiagonal() * trial.eigenvectors().transpose();
+        return trial.vectors * (tau / F.determinant()).asDiagonal() * trial.vectors.transpose();
     }
     double energy(const Tensor<3>& F, std::span<const double> history) const {
-        const Eigen::SelfAdjointEigenSolver<Tensor<3>> b(F * plasticMetric(history) * F.transpose(),
-                                                         Eigen::EigenvaluesOnly);
-        Vec<3> e = 0.5 * b.eigenvalues().array().log();
+        const Vec<3> b = eigenvalues<3>(F * plasticMetric(history) * F.transpose());
+        Vec<3> e = 0.5 * b.array().log();
         e.array() -= e.mean();
         return elastic.mu() * e.squaredNorm();
     }

@@ -2,8 +2,7 @@
 // Ogden's rubber in principal stretches: W_iso = sum_k mu_k/alpha_k (l1^alpha_k + l2^alpha_k + l3^alpha_k - 3) with
 // l_i = J^(-1/3) lambda_i; alpha 2: neo-Hookean, 2 and -2: Mooney-Rivlin.
 
-#include <Eigen/Eigenvalues>
-
+#include "base/spectrum.hpp"
 #include "material/decoupledLaw.hpp"
 
 namespace pfem {
@@ -33,18 +32,17 @@ public:
     }
     Tensor<3> shear(const Tensor<3>& F) const {
         const Isochoric iso(F);
-        const Eigen::SelfAdjointEigenSolver<Tensor<3>> eigen(iso.b);
+        const auto eigen = spectrum<3>(iso.b);
         Vec<3> t = Vec<3>::Zero();  // l_i dW/dl_i
-        for (std::size_t k = 0; k < mu.size(); ++k)
-            t += mu[k] * eigen.eigenvalues().array().pow(0.5 * alpha[k]).matrix();
+        for (std::size_t k = 0; k < mu.size(); ++k) t += mu[k] * eigen.values.array().pow(0.5 * alpha[k]).matrix();
         t.array() -= t.mean();
-        return eigen.eigenvectors() * (t / iso.J).asDiagonal() * eigen.eigenvectors().transpose();
+        return eigen.vectors * (t / iso.J).asDiagonal() * eigen.vectors.transpose();
     }
     double energy(const Tensor<3>& F) const {
-        const Eigen::SelfAdjointEigenSolver<Tensor<3>> eigen(Isochoric(F).b, Eigen::EigenvaluesOnly);
+        const Vec<3> squares = eigenvalues<3>(Isochoric(F).b);
         double sum = 0;
         for (std::size_t k = 0; k < mu.size(); ++k)
-            sum += mu[k] / alpha[k] * (eigen.eigenvalues().array().pow(0.5 * alpha[k]).sum() - 3);
+            sum += mu[k] / alpha[k] * (squares.array().pow(0.5 * alpha[k]).sum() - 3);
         return sum;
     }
 };

@@ -1,10 +1,11 @@
 #include "solver/inelastic.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <optional>
+
+#include "base/spectrum.hpp"
 
 namespace pfem {
 
@@ -75,11 +76,10 @@ template <int Dim>
 Tensor<Dim> commonFreedom(const MeetingCell<Dim>& cell) {
     Tensor<Dim> held = Tensor<Dim>::Zero();
     for (int k = 0; k <= Dim; ++k) held += heldPart<Dim>(cell, k);
-    const Eigen::SelfAdjointEigenSolver<Tensor<Dim>> eigen(held);
+    const auto eigen = spectrum<Dim>(held);
     Tensor<Dim> common = Tensor<Dim>::Zero();
     for (int d = 0; d < Dim; ++d)
-        if (eigen.eigenvalues()[d] < 1e-12)
-            common += eigen.eigenvectors().col(d) * eigen.eigenvectors().col(d).transpose();
+        if (eigen.values[d] < 1e-12) common += eigen.vectors.col(d) * eigen.vectors.col(d).transpose();
     return common;
 }
 
