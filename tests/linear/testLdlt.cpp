@@ -165,7 +165,7 @@ TEST(DissectedLdlt, anyPartsGiveTheSolution) {
     for (const int nParts : {1, 2, 3}) {
         const auto q = quasiDefinite(30, 20, 9);
         std::vector<Eigen::Vector2d> place;
-        for (int i = 0; i < 50; ++i) place.push_back({std::cos(i), 2.0 * std::sin(5.0 * i)});
+        for (int i = 0; i < 50; ++i) place.emplace_back(std::cos(i), 2.0 * std::sin(5.0 * i));
         const auto part = slabs<2>(place, nParts, 1);
         for (int p = 0; p < nParts; ++p) EXPECT_NEAR(std::count(part.begin(), part.end(), p), 50.0 / nParts, 1);
         DissectedLdlt<2, double> factor(place, part, nParts);
@@ -179,7 +179,7 @@ TEST(DissectedLdlt, anyPartsGiveTheSolution) {
 TEST(DissectedLdlt, keptInSinglePrecision) {
     const auto q = quasiDefinite(30, 20, 9);
     Places<2> place;
-    for (int i = 0; i < 50; ++i) place.push_back({std::cos(i), 2.0 * std::sin(5.0 * i)});
+    for (int i = 0; i < 50; ++i) place.emplace_back(std::cos(i), 2.0 * std::sin(5.0 * i));
     DissectedLdlt<2, float> factor(place, slabs<2>(place, 2, 1), 2);
     factor.analyse(q.A);
     factor.factor(q.A);
@@ -285,9 +285,11 @@ TEST(NestedDissection, piecesMeetOnlyThoseThatPartThem) {
         const int m = 25;
         const MatrixGraph graph = squareOfTriangles(m);
         Places<2> place;
-        for (int i = 0; i < m * m; ++i)
-            place.push_back(
-                {i % m + wave * std::sin(37.0 * i), (wave > 0 ? 3 : 1) * (i / m + wave * std::cos(11.0 * i))});
+        for (int i = 0; i < m * m; ++i) {
+            const int row = i / m;
+            place.emplace_back(i % m + wave * std::sin(37.0 * i),
+                               (wave > 0 ? 3 : 1) * (row + wave * std::cos(11.0 * i)));
+        }
         const auto [order, pieces] = nestedDissection<2>(graph, place);
         std::vector<int> pieceOf(m * m), parent(pieces.size(), -1), stack;
         int columns = 0;

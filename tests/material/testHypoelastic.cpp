@@ -108,7 +108,7 @@ TEST(Hypoelastic, closedCycleReturnsToZero) {
         const double s = 0.02 * k;
         Tensor<2> U;
         U << 1 + 0.3 * s, 0.2 * std::sin(3 * s), 0.2 * std::sin(3 * s), 1 - 0.2 * s;
-        path.push_back(turned(s) * U);
+        path.emplace_back(turned(s) * U);
     }
     Stress<2> sigma = Stress<2>::Zero();
     double largest = 0;

@@ -25,7 +25,7 @@ public:
             lateral += change;
             if (std::abs(change) < 1e-14) break;
         }
-        const double stress = point_.go(F(axial_, lateral_), F(axial, lateral))[0];
+        const double stress = point_.go(gradient(axial_, lateral_), gradient(axial, lateral))[0];
         axial_ = axial;
         lateral_ = lateral;
         return stress;
@@ -39,10 +39,10 @@ public:
     double plasticStrain() const { return point_.history[0]; }
 
 private:
-    static Tensor<3> F(double axial, double lateral) { return Vec<3>(axial, lateral, lateral).asDiagonal(); }
+    static Tensor<3> gradient(double axial, double lateral) { return Vec<3>(axial, lateral, lateral).asDiagonal(); }
     double sides(double axial, double lateral) const {
         LawAtPoint<3> trial = point_;
-        return trial.go(F(axial_, lateral_), F(axial, lateral))[1];
+        return trial.go(gradient(axial_, lateral_), gradient(axial, lateral))[1];
     }
     LawAtPoint<3> point_;
     double axial_ = 1, lateral_ = 1;

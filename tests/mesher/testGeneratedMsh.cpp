@@ -43,9 +43,7 @@ std::string damage(std::string& text, const MshForm& form, std::mt19937& random)
             replaceOnce(text, form.four ? "4.1 " : "2.2 ", form.four ? "4.0 " : "2.0 ");
             return "save it as 2.2 or 4.1";
         case 1: {
-            const std::string end = form.results     ? "$EndPeriodic"
-                                    : form.namesLast ? "$EndPhysicalNames"
-                                                     : "$EndElements";
+            std::string end = form.results ? "$EndPeriodic" : form.namesLast ? "$EndPhysicalNames" : "$EndElements";
             text.erase(text.rfind(end));
             return end;
         }

@@ -133,7 +133,7 @@ TEST(MeshFile, ErrorsOfTheDictionary) {
     };
     const std::string w = "w { type fluid; material water; }";
     EXPECT_EQ(message(fileDict(w, "floor { }")), "");
-    EXPECT_NE(message(fileDict("v { type fluid; material water; }", "")).find("w"), std::string::npos);
+    EXPECT_NE(message(fileDict("v { type fluid; material water; }", "")).find('w'), std::string::npos);
     EXPECT_NE(message(fileDict(w, "flor { }")).find("floor"), std::string::npos);
     EXPECT_NE(message(fileDict(w, "f { points ((1 0) (0 0)); }")).find("turn its points around"), std::string::npos);
     EXPECT_THROW(fileDict("w { type fluid; material water; vertices ((0 0)); }", ""), UserError);
