@@ -4,7 +4,7 @@
 #include "conditions/constraints.hpp"
 #include "conditions/contact.hpp"
 #include "material/material.hpp"
-#include "state/state.hpp"
+#include "state/images.hpp"
 
 namespace pfem {
 
@@ -16,6 +16,7 @@ struct Problem {
     Function1Ptr<Eigen::Vector3d> gravityOverTime;  // null: it stays as it is
     BoundaryConditions<Dim> conditions;
     ContactConditions contact;
+    Period<Dim> period;  // of periodic sides
 
     const ViscousFluid& fluid(int material) const { return materials[material].fluid; }
     const Solid& solid(int material) const { return materials[material].solid; }

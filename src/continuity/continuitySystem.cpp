@@ -1,6 +1,7 @@
 #include "continuity/continuitySystem.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include "base/parallel.hpp"
 #include "continuity/riderColumns.hpp"
@@ -24,22 +25,24 @@ struct Unknowns {
 };
 
 template <int Dim>
-Unknowns numberUnknowns(const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints, bool strong,
-                        int nSolid) {
+Unknowns numberUnknowns(const Step<Dim>& step, bool strong, int nSolid) {
+    const auto& [topology, constraints] = std::tie(step.topology, step.constraints);
     Unknowns u;
     u.pressure.assign(topology.nNodes(), -1);
     u.surface.assign(topology.nNodes(), -1);
     u.nSolid = nSolid;
     for (int i = 0; i < topology.nNodes(); ++i)
-        if (topology.wet(i) && !(strong && topology.freeSurface[i])) u.pressure[i] = u.nPressure++;
+        if (topology.wet(i) && !step.isImage(i) && !(strong && topology.freeSurface[i])) u.pressure[i] = u.nPressure++;
+    step.follow(u.pressure);
     u.n = u.nPressure + nSolid;
     if (strong) return u;
     for (int i = 0; i < topology.nNodes(); ++i) {
         if (!topology.freeSurface[i] && !(topology.wet(i) && topology.onOpening(i))) continue;
-        if (topology.onSolid[i] || !constraints.freedom[i].any()) continue;
+        if (topology.onSolid[i] || step.isImage(i) || !constraints.freedom[i].any()) continue;
         u.surface[i] = u.n;
         u.n += Dim;
     }
+    step.follow(u.surface);
     return u;
 }
 
@@ -77,8 +80,9 @@ int sharedVelocities(const NodeToNodes& ring, const SolidDofs<Dim>& dofs, int i)
 
 /// Where the columns start, from the neighbours in the fluid and the matrix of the solid.
 template <int Dim>
-std::vector<int> columnStarts(const NodeToNodes& ring, const Unknowns& u, const SolidBlock<Dim>& block,
+std::vector<int> columnStarts(const Step<Dim>& step, const Unknowns& u, const SolidBlock<Dim>& block,
                               const RiderColumns<Dim>& riders) {
+    const NodeToNodes& ring = step.topology.ring;
     const SolidDofs<Dim>& dofs = block.dofs;
     const SymmetricMatrix& solid = block.matrix;
     const auto ownUnknowns = [&](int node) {  // where nothing rides, each node's own
@@ -88,7 +92,7 @@ std::vector<int> columnStarts(const NodeToNodes& ring, const Unknowns& u, const 
     start[0] = 0;
     for (std::size_t i = 0; i < u.pressure.size(); ++i) {
         const int p = u.pressure[i];
-        if (p < 0) continue;
+        if (p < 0 || step.isImage(static_cast<int>(i))) continue;
         start[p + 1] += ownUnknowns(static_cast<int>(i));
         for (int s = ring.start[i]; s < ring.start[i + 1]; ++s)
             start[p + 1] += (u.pressure[ring.node[s]] > p) + ownUnknowns(ring.node[s]);
@@ -131,6 +135,15 @@ struct Parts {
     const Unknowns& u;
 };
 
+/// The rows of a column in ascending order.
+void sortRows(SymmetricMatrix& A, int column) {
+    std::vector<std::pair<int, double>> entries;
+    for (int s = A.start[column]; s < A.start[column + 1]; ++s) entries.emplace_back(A.row[s], A.value[s]);
+    std::sort(entries.begin(), entries.end());
+    for (std::size_t k = 0; k < entries.size(); ++k)
+        std::tie(A.row[A.start[column] + k], A.value[A.start[column] + k]) = entries[k];
+}
+
 /// Rows and values of one pressure column, diagonal, pressures, solids, surface.
 template <int Dim>
 void writeColumn(const PressureColumn<Dim>& column, int i, const Parts<Dim>& parts, SymmetricMatrix& A) {
@@ -169,6 +182,7 @@ void writeColumn(const PressureColumn<Dim>& column, int i, const Parts<Dim>& par
             for (int c = 0; meets && c < body.count; ++c) put(u.nPressure + body.first + c, sum[c]);
         }
     }
+    if (parts.step.images) sortRows(A, u.pressure[i]);  // those of images are out of the order of nodes
 }
 
 /// What the Laplacian of each cell counts in K_p: tau and the Schur term.
@@ -199,7 +213,7 @@ void addCells(const Parts<Dim>& parts, SymmetricMatrix& A) {
         column.at.resize(topology.nNodes());
 #pragma omp for schedule(static)
         for (int i = 0; i < topology.nNodes(); ++i) {
-            if (parts.u.pressure[i] < 0) continue;
+            if (parts.u.pressure[i] < 0 || parts.step.isImage(i)) continue;
             column.begin(i, topology.ring);
             for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
                 const int e = around.cell[s], k = around.corner[s];
@@ -245,13 +259,13 @@ void addFreeSurface(const Parts<Dim>& parts, const Points<Dim>& x, SymmetricMatr
         const double cell = domains.element[face.cell].measure, twoOverH = 2 * measure / (Dim * cell);
         const double tauN = surfaceStabilisation<Dim>(tau[face.cell], phase.mu[face.cell], cell, measure);
         for (int node : face.nodes)
-            if (u.pressure[node] >= 0 && !projected[face.cell])
+            if (u.pressure[node] >= 0 && !step.isImage(node) && !projected[face.cell])
                 A.value[A.start[u.pressure[node]]] += controls.freeSurfaceWeight * tauN * twoOverH * measure / Dim;
     }
     const double scale = step.gamma() / std::max(controls.freeSurfaceScale, 1e-12);
     const auto stiffness = surfaceStiffness<Dim>(problem, cells, topology, x, step.midpoint);
     for (int i = 0; i < topology.nNodes(); ++i) {
-        if (u.surface[i] < 0) continue;
+        if (u.surface[i] < 0 || step.isImage(i)) continue;
         double mass = 0;
         for (int s = topology.fluid.start[i]; s < topology.fluid.start[i + 1]; ++s) {
             const int e = topology.fluid.cell[s];
@@ -268,9 +282,11 @@ void addFreeSurface(const Parts<Dim>& parts, const Points<Dim>& x, SymmetricMatr
 
 /// Where each unknown is: at its node.
 template <int Dim>
-Places<Dim> placesOfUnknowns(const Points<Dim>& x, const Unknowns& u, const SolidDofs<Dim>& dofs) {
+Places<Dim> placesOfUnknowns(const Step<Dim>& step, const Points<Dim>& x, const Unknowns& u,
+                             const SolidDofs<Dim>& dofs) {
     Places<Dim> place(u.n);
     for (int i = 0; i < static_cast<int>(x.size()); ++i) {
+        if (step.isImage(i)) continue;
         if (u.pressure[i] >= 0) place[u.pressure[i]] = x[i];
         forVelocities<Dim>(u, dofs, i, [&](int unknown, const Vec<Dim>&) { place[unknown] = x[i]; });
     }
@@ -301,8 +317,9 @@ ContinuitySystem<Dim>::ContinuitySystem(const Step<Dim>& step, const ContinuityC
                                         const FluidPhase<Dim>& fluid, const Stabilisation& stabilisation,
                                         const Points<Dim>& x, const SolidBlock<Dim>& solid) {
     const bool strong = controls.freeSurfacePressure == "strong";
-    const Unknowns u = numberUnknowns<Dim>(step.topology, step.constraints, strong, solid.matrix.n);
+    const Unknowns u = numberUnknowns<Dim>(step, strong, solid.matrix.n);
     unknown_ = u.pressure;
+    nOwn_ = step.images ? step.images->nOwn : step.topology.nNodes();
     n_ = u.n;
     if (n_ == 0) return;
 
@@ -310,14 +327,14 @@ ContinuitySystem<Dim>::ContinuitySystem(const Step<Dim>& step, const ContinuityC
     const Parts<Dim> of{step, controls, fluid, stabilisation, solid, riders, u};
     SymmetricMatrix A;
     A.n = u.n;
-    A.start = columnStarts<Dim>(step.topology.ring, u, solid, riders);
+    A.start = columnStarts<Dim>(step, u, solid, riders);
     A.row.resize(A.start[u.n]);
     A.value.resize(A.start[u.n]);
     addCells<Dim>(of, A);
     addSolid<Dim>(of, A);
     if (!strong) addFreeSurface<Dim>(of, x, A);
 
-    solver_ = makeSolver<Dim>(controls, A, placesOfUnknowns<Dim>(x, u, solid.dofs), {u.nPressure, u.nSolid});
+    solver_ = makeSolver<Dim>(controls, A, placesOfUnknowns<Dim>(step, x, u, solid.dofs), {u.nPressure, u.nSolid});
     solver_->analyse(A);
     solver_->factor(A);
 }
@@ -327,7 +344,7 @@ std::vector<double> ContinuitySystem<Dim>::solve(const std::vector<double>& resi
     std::vector<double> dp(residual.size(), 0.0);
     if (n_ == 0) return dp;
     Eigen::VectorXd rhs = Eigen::VectorXd::Zero(n_);
-    for (std::size_t i = 0; i < residual.size(); ++i)
+    for (int i = 0; i < nOwn_; ++i)
         if (unknown_[i] >= 0) rhs[unknown_[i]] = -residual[i];
     const Eigen::VectorXd solution = solver_->solve(rhs);
     for (std::size_t i = 0; i < residual.size(); ++i)

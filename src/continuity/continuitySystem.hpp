@@ -37,6 +37,7 @@ public:
 
 private:
     int n_ = 0;
+    int nOwn_ = 0;              // nodes that are no images
     std::vector<int> unknown_;  // per node: its pressure unknown or -1
     std::unique_ptr<SymmetricSolver> solver_;
 };

@@ -1,13 +1,16 @@
 #include "functions/balance.hpp"
 
+#include "conditions/sides.hpp"
 #include "momentum/consistentMass.hpp"
 #include "momentum/residual.hpp"
 
 namespace pfem {
 
+namespace {
+
+/// The residual of the momentum, of a state that is unfolded where there are periodic sides.
 template <int Dim>
-Points<Dim> supportForces(const Problem<Dim>& problemOfRun, const Controls& controls, const State<Dim>& state) {
-    const Problem<Dim> problem = problemAt<Dim>(state.time.value, problemOfRun);
+Points<Dim> residualOf(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state) {
     const auto& [mesh, nodes] = std::tie(state.mesh, state.nodes);
     const auto topology = makeTopology<Dim>(mesh, problem.conditions.kind, nodes.x, nodes.wall);
     const Integration scheme = controls.integration.scheme();
@@ -21,6 +24,18 @@ Points<Dim> supportForces(const Problem<Dim>& problemOfRun, const Controls& cont
     if (topology.rides.empty()) return R;
     const double now = state.time.value;
     handOver<Dim>(nodeConstraints<Dim>(mesh, problem.conditions, topology, nodes, now, now).riders, R);
+    return R;
+}
+
+}  // namespace
+
+template <int Dim>
+Points<Dim> supportForces(const Problem<Dim>& problemOfRun, const Controls& controls, const State<Dim>& state) {
+    const Problem<Dim> problem = problemAt<Dim>(state.time.value, problemOfRun);
+    if (!problem.period.any()) return residualOf<Dim>(problem, controls, state);
+    auto R = residualOf<Dim>(problem, controls, unfolded<Dim>(sidesOf<Dim>(problem, state), state));
+    R.resize(nOwnNodes<Dim>(state));
+    R.resize(state.nodes.size(), Vec<Dim>::Zero());  // images count with their masters
     return R;
 }
 

@@ -93,6 +93,7 @@ template <int Dim>
 MomentumSystem<Dim>::MomentumSystem(const Step<Dim>& step, const MomentumControls& controls,
                                     const FluidPhase<Dim>& fluid, const Points<Dim>& inertia, SolidBlock<Dim> solid)
     : controls_(controls),
+      step_(step),
       constraints_(step.constraints),
       fluid_(fluid),
       solid_(std::move(solid)),
@@ -107,7 +108,7 @@ MomentumSystem<Dim>::MomentumSystem(const Step<Dim>& step, const MomentumControl
     }
     const Topology<Dim>& topology = step.topology;
     for (int i = 0; i < topology.nNodes(); ++i) {
-        moving_[i] = topology.wet(i) && !topology.onSolid[i] && constraints_.freedom[i].any();
+        moving_[i] = topology.wet(i) && !topology.onSolid[i] && !step.isImage(i) && constraints_.freedom[i].any();
     }
     setInertia(inertia);
     updateViscosity();
@@ -208,6 +209,7 @@ Points<Dim> MomentumSystem<Dim>::restricted(Points<Dim> r) const {
 
 template <int Dim>
 void MomentumSystem<Dim>::addOfFluid(Points<Dim> u, Points<Dim>& force) const {
+    step_.follow(u);
     carryRiders<Dim>(constraints_.riders, u);
     if (viscous_)
         addInternalForce<Dim>(fluid_.domains, fluidTangentStress<Dim>(fluid_.domains, fluid_.viscosity, u, bulk_),
@@ -239,6 +241,13 @@ Points<Dim> MomentumSystem<Dim>::precondition(const Points<Dim>& r) const {
     return z;
 }
 
+/// The same with the velocities of images, which are no unknowns.
+template <int Dim>
+Points<Dim> MomentumSystem<Dim>::ofImages(Points<Dim> dv) const {
+    step_.follow(dv);
+    return dv;
+}
+
 template <int Dim>
 Points<Dim> MomentumSystem<Dim>::solve(const Points<Dim>& residual) {
     Points<Dim> r(residual.size());
@@ -246,7 +255,7 @@ Points<Dim> MomentumSystem<Dim>::solve(const Points<Dim>& residual) {
     handOver<Dim>(constraints_.riders, r);
     r = restricted(std::move(r));
     iterations_ = 1;
-    if (!viscous_ && !isConsistent()) return precondition(r);  // the diagonal will do
+    if (!viscous_ && !isConsistent()) return ofImages(precondition(r));  // the diagonal will do
 
     ofBody_.clear();
     for (const auto& body : solid_.dofs.bodies) {
@@ -259,7 +268,7 @@ Points<Dim> MomentumSystem<Dim>::solve(const Points<Dim>& residual) {
                                             [this](const Points<Dim>& u) { return precondition(u); }, std::move(r),
                                             {controls_.linearTolerance, controls_.maxLinearIterations, "momentum"});
     iterations_ = solution.iterations;
-    return std::move(solution.x);
+    return ofImages(std::move(solution.x));
 }
 
 #define PFEM_INSTANTIATE(D) template class MomentumSystem<D>;

@@ -54,12 +54,14 @@ private:
     void addOfFluid(Points<Dim> u, Points<Dim>& force) const;
     Points<Dim> precondition(const Points<Dim>& r) const;
     Points<Dim> restricted(Points<Dim> r) const;
+    Points<Dim> ofImages(Points<Dim> dv) const;
     Eigen::VectorXd gather(const Points<Dim>& r) const;
     Eigen::VectorXd perBody(Eigen::VectorXd f) const;
     void spreadOverBodies(Points<Dim>& force) const;
     void scatter(const Eigen::VectorXd& u, Points<Dim>& r) const;
 
     MomentumControls controls_;
+    const Step<Dim> step_;
     const NodeConstraints<Dim>& constraints_;
     const FluidPhase<Dim>& fluid_;
     SolidBlock<Dim> solid_;

@@ -4,6 +4,7 @@
 #include "conditions/constraints.hpp"
 #include "conditions/problem.hpp"
 #include "integration/midpointRule.hpp"
+#include "state/images.hpp"
 
 namespace pfem {
 
@@ -16,7 +17,16 @@ struct Step {
     const NodeConstraints<Dim>& constraints;
     const Nodes<Dim>& old;  // at t^n; their velocities obey the constraints
     MidpointRule midpoint;
-    double divTarget = 0;  // wanted divergence of the fluid [1/s], 0 without volume correction
+    double divTarget = 0;                 // wanted divergence of the fluid [1/s], 0 without volume correction
+    const Images<Dim>* images = nullptr;  // beyond periodic sides; null: there are none
+
+    /// Images get what their masters have.
+    template <class Value>
+    void follow(std::vector<Value>& values) const {
+        if (images) images->follow(values);
+    }
+    bool isImage(int node) const { return images && images->isImage(node); }
+    int own(int node) const { return images ? images->own(node) : node; }
 
     double dt() const { return midpoint.dt; }
     double gamma() const { return midpoint.gamma; }

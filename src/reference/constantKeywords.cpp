@@ -1,4 +1,5 @@
 #include "conditions/contact.hpp"
+#include "conditions/periodic.hpp"
 #include "material/lawTable.hpp"
 #include "material/material.hpp"
 #include "reference/keywords.hpp"
@@ -44,6 +45,11 @@ std::vector<KeywordTable> constantKeywords() {
          "Contact of solids with walls and with each other. Without this file they pass through each other, "
          "and a run stops where a solid leaves through a wall.",
          describeEntries<ContactConditions>()});
+    tables.push_back(
+        {"constant/periodic", "",
+         "Periodic sides: what leaves through one of two opposite planes comes in at the other. Walls along "
+         "the flow go on beyond both by 5 mesh sizes; gravity may drive the flow.",
+         describeEntries<PeriodicEntries>()});
     return tables;
 }
 

@@ -51,10 +51,11 @@ void joinDrops(const RemeshingControls& controls, MovedMesh<Dim>& moved, State<D
              it != drops.end() && it->first <= x + widest; ++it) {
             const int drop = it->second;
             const Vec<Dim> apart = nodes.x[drop] - nodes.x[i];
-            if (moved.joins[drop] >= 0 || apart.norm() >= widest || apart.dot(nodes.v[drop] - nodes.v[i]) >= 0)
+            if (moved.images.isImage(drop) || moved.joins[drop] >= 0 || apart.norm() >= widest ||
+                apart.dot(nodes.v[drop] - nodes.v[i]) >= 0)
                 continue;
-            moved.joins[drop] = i;
-            giveMomentum<Dim>(moved, drop, i, nodes);
+            moved.joins[drop] = moved.images.own(i);
+            giveMomentum<Dim>(moved, drop, moved.joins[drop], nodes);
         }
     }
 }

@@ -106,7 +106,7 @@ void bookRemeshing(const MovedMesh<Dim>& moved, const NodePlan<Dim>& plan, const
                    const std::vector<CellChange<Dim>>& changes, VolumeLedger& sheet, State<Dim>& state) {
     std::vector<double>& lost = state.nodes.lostVolume;
     const auto wet = nodesIn<Dim>(state.mesh.fluid.nodes, state.nodes.size());
-    double reshaped = cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes) - moved.volume;
+    double reshaped = cellVolume<Dim>(state) - moved.volume;
     for (const auto cause : {VolumeCause::contact, VolumeCause::stretched, VolumeCause::released}) sheet.book(cause, 0);
     for (const auto& [cause, cell, amount] : changes) sheet.book(cause, cell, amount);
     for (int node = 0; node < state.nodes.size(); ++node) lost[node] -= sheet.atNodes()[node];

@@ -5,8 +5,7 @@
 namespace pfem {
 
 template <int Dim>
-MotionAccount<Dim>::MotionAccount(const State<Dim>& state)
-    : volume_(cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes)) {
+MotionAccount<Dim>::MotionAccount(const State<Dim>& state) : volume_(cellVolume<Dim>(state)) {
     if (state.ledger.counting()) x_ = state.nodes.x;
 }
 
@@ -30,9 +29,10 @@ template <int Dim>
 double MotionAccount<Dim>::change(VolumeCause cause, State<Dim>& state) {
     const auto& cells = state.mesh.fluid.nodes;
     const double before = volume_;
-    volume_ = cellVolume<Dim>(state.nodes.x, cells);
+    volume_ = cellVolume<Dim>(state);
     if (x_.empty()) return volume_ - before;
-    for (const auto& cell : cells) {
+    for (int e = 0; e < nOwnCells<Dim>(state); ++e) {
+        const auto& cell = cells[e];
         const double part = (simplexMeasure<Dim>(state.nodes.x, cell) - simplexMeasure<Dim>(x_, cell)) / (Dim + 1);
         for (const int node : cell) state.ledger.place(cause, node, part);
     }

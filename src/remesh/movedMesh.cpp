@@ -1,21 +1,20 @@
 #include "remesh/movedMesh.hpp"
 
-#include "mesh/simplex.hpp"
-
 namespace pfem {
 
 template <int Dim>
 MovedMesh<Dim> movedMesh(const State<Dim>& state, Topology<Dim> topology, const std::vector<int>& gone) {
     MovedMesh<Dim> moved;
     moved.x = state.nodes.x;
-    moved.dropVolume = state.nodes.dropVolume;
-    moved.lostVolume = state.nodes.lostVolume;
+    moved.images = imagesOf<Dim>(state);
+    moved.dropVolume = moved.images.counted(state.nodes.dropVolume);
+    moved.lostVolume = moved.images.counted(state.nodes.lostVolume);
     moved.gone.assign(moved.x.size(), 0.0);
     for (const int drop : gone) std::swap(moved.gone[drop], moved.dropVolume[drop]);
     moved.fluid = state.mesh.fluid.nodes;
     moved.solid = state.mesh.solid.nodes;
     moved.topology = std::move(topology);
-    moved.volume = cellVolume<Dim>(moved.x, moved.fluid);
+    moved.volume = cellVolume<Dim>(state);
     return moved;
 }
 

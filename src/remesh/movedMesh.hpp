@@ -18,7 +18,8 @@ struct MovedMesh {
     std::vector<Simplex<Dim>> fluid;
     std::vector<Simplex<Dim>> solid;
     Topology<Dim> topology;
-    double volume = 0;  // of all fluid cells
+    Images<Dim> images;  // beyond periodic sides: they carry nothing, and no decision is made for them
+    double volume = 0;   // of all fluid cells that count
 };
 
 /// `topology`: of the state's mesh; `gone`: drops that are let go.

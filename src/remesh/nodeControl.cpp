@@ -40,15 +40,25 @@ public:
 
     NodePlan<Dim> plan(const std::vector<int>& pinched) {
         for (const int i : pinched)
-            if (!locked_[i] && !stays(i)) remove(i);
+            if (!isImage(i) && !locked_[own(i)] && !stays(i)) remove(i);
         removeAtCorners();
         removeClose();
         insertInLongEdges();
+        moved_.images.follow(plan_.removed);
         keepSurface();
         return std::move(plan_);
     }
 
 private:
+    /// Decisions are made once, for the node that is no image; it and its images are locked together.
+    bool isImage(int i) const { return moved_.images.isImage(i); }
+    int own(int i) const { return moved_.images.own(i); }
+
+    /// Of a face and its copies, the one that counts.
+    bool isOwnFace(const Face<Dim>& face) const {
+        return !isImage(*std::min_element(face.begin(), face.end(), [&](int i, int j) { return own(i) < own(j); }));
+    }
+
     /// A node that slides towards one that more walls hold, or a solid on its wall: nothing could stop it there.
     void removeAtCorners() {
         const auto& t = moved_.topology;
@@ -58,7 +68,7 @@ private:
             if (isSupported(t.supports[i]) && !t.isUnderSkin(i) && (t.onSolid[i] || nSupports(t.supports[i]) > 1))
                 corners.push_back(i);
         for (int i = 0; i < n; ++i) {
-            if (!t.onWall[i] || kept_[i]) continue;
+            if (!t.onWall[i] || kept_[i] || isImage(i)) continue;
             for (const int corner : corners)
                 if (isNear(i, corner) &&
                     (t.onSolid[corner] || nSupports(t.supports[corner]) > nSupports(t.supports[i])) &&
@@ -71,7 +81,8 @@ private:
     bool stays(int i) const { return kept_[i] || nSupports(moved_.topology.supports[i]) == Dim; }
 
     bool isNear(int i, int corner) const {
-        return !locked_[i] && (moved_.x[i] - moved_.x[corner]).norm() <= controls_.expert.walls.cornerDistance * h_[i];
+        return !locked_[own(i)] &&
+               (moved_.x[i] - moved_.x[corner]).norm() <= controls_.expert.walls.cornerDistance * h_[i];
     }
 
     void remove(int i) {
@@ -97,7 +108,7 @@ private:
     void removeClose() {
         const auto under = isUnderSurface();
         for (int i = 0; i < static_cast<int>(moved_.x.size()); ++i) {
-            if (stays(i) || locked_[i] || !moved_.topology.wet(i)) continue;
+            if (stays(i) || isImage(i) || locked_[own(i)] || !moved_.topology.wet(i)) continue;
             if (under[i] || (near_[i] && isTooClose(i))) remove(i);
         }
     }
@@ -107,7 +118,7 @@ private:
         const bool surface = moved_.topology.freeSurface[i] || slides, inFilm = surface && isInFilm(i);
         for (int s = ring_.start[i]; s < ring_.start[i + 1]; ++s) {
             const int j = ring_.node[s];
-            if (locked_[j] && !stays(j)) continue;
+            if (locked_[own(j)] && !stays(j)) continue;
             // a node on a wall gives way only to its neighbours along the wall
             if (slides && !moved_.topology.onWall[j] && !stays(j)) continue;
             // and the contact line to none that is under water: that one can go without a change of volume
@@ -145,14 +156,14 @@ private:
 
     void insertInLongEdges() {
         for (int i = 0; i < static_cast<int>(moved_.x.size()); ++i)
-            for (int s = ring_.start[i]; long_[i] && s < ring_.start[i + 1]; ++s) {
+            for (int s = ring_.start[i]; long_[i] && !isImage(i) && s < ring_.start[i + 1]; ++s) {
                 const int j = ring_.node[s];
-                if (j < i || locked_[i] || locked_[j]) continue;
+                if (own(j) < i || locked_[own(i)] || locked_[own(j)]) continue;
                 if (distanceTo(j, moved_.x[i], h_[i]) < controls_.insertDistance) continue;
                 if (kept_[i] && kept_[j] && isBoundaryEdge(i, j)) continue;
                 if (wouldGoAgain(i, j)) continue;
-                plan_.inserted.push_back({i, j});
-                locked_[i] = locked_[j] = 1;
+                plan_.inserted.push_back({i, j});  // i has the lower master
+                locked_[own(i)] = locked_[own(j)] = 1;
             }
     }
 
@@ -215,7 +226,8 @@ private:
             for (std::size_t k = 0; k < plan_.inserted.size(); ++k)
                 middle[plan_.inserted[k]] = static_cast<int>(moved_.x.size() + k);
             for (const auto& face : moved_.topology.faces) {
-                if (face.kind != FaceKind::freeSurface || plan_.removed[face.nodes[0]]) continue;
+                if (face.kind != FaceKind::freeSurface || plan_.removed[face.nodes[0]] || !isOwnFace(face.nodes))
+                    continue;
                 const int a = face.nodes[0];
                 int b = face.nodes[1];
                 if (plan_.removed[b]) {  // its neighbours stay: one removal per patch
@@ -236,8 +248,8 @@ private:
     }
 
     void lockPatch(int i) {
-        locked_[i] = 1;
-        for (int s = ring_.start[i]; s < ring_.start[i + 1]; ++s) locked_[ring_.node[s]] = 1;
+        locked_[own(i)] = 1;
+        for (int s = ring_.start[i]; s < ring_.start[i + 1]; ++s) locked_[own(ring_.node[s])] = 1;
     }
 
     const RemeshingControls& controls_;

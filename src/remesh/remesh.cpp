@@ -12,6 +12,7 @@
 #include "remesh/heirs.hpp"
 #include "remesh/joinDrops.hpp"
 #include "remesh/lostVolume.hpp"
+#include "remesh/newPlaces.hpp"
 #include "remesh/nodeControl.hpp"
 #include "remesh/passOn.hpp"
 
@@ -83,20 +84,39 @@ std::vector<int> carryOut(const NodePlan<Dim>& plan, const MovedMesh<Dim>& moved
     return newIndex;
 }
 
+/// Nodes that have left through periodic sides come in again, and the bands beyond are filled with their images.
+template <int Dim>
+NewPlaces<Dim> throughSides(const Sides<Dim>* sides, const MovedMesh<Dim>& moved, std::vector<int>& newIndex,
+                            State<Dim>& state) {
+    if (!sides) return {moved.images, newIndex, {}, {}};
+    moved.images.follow(newIndex);
+    state.mesh.fluid.nodes.clear();
+    auto back = comeBack<Dim>(*sides, state);
+    setImages<Dim>(*sides, state);
+    return {moved.images, newIndex, std::move(back), imagesOf<Dim>(state)};
+}
+
 template <int Dim>
 std::vector<Face<Dim>> surfaceFaces(const RemeshingControls& controls, const NodePlan<Dim>& plan,
-                                    const std::vector<int>& newIndex) {
+                                    const Sides<Dim>* sides, const NewPlaces<Dim>& places) {
     if (!controls.keepSurface) return {};
-    std::vector<Face<Dim>> surface = plan.surface;
-    for (auto& face : surface)
-        for (int& node : face) node = newIndex[node];
+    std::vector<Face<Dim>> surface;
+    const auto add = [&](const Shift<Dim>& shift) {
+        for (Face<Dim> face : plan.surface) {
+            for (int& node : face) node = places.at(node, shift);
+            if (std::none_of(face.begin(), face.end(), [](int node) { return node < 0; })) surface.push_back(face);
+        }
+    };
+    add({});
+    if (sides)
+        for (const auto& shift : shiftsOf<Dim>(sides->period)) add(shift);
     return surface;
 }
 
 /// What the selection rules ask about the new nodes.
 template <int Dim>
-CandidateNodes<Dim> candidateNodes(const State<Dim>& state, const MovedMesh<Dim>& moved,
-                                   const std::vector<int>& newIndex, double dt) {
+CandidateNodes<Dim> candidateNodes(const State<Dim>& state, const MovedMesh<Dim>& moved, const NewPlaces<Dim>& places,
+                                   double dt) {
     CandidateNodes<Dim> c;
     c.dt = dt;
     const int n = state.nodes.size();
@@ -107,13 +127,15 @@ CandidateNodes<Dim> candidateNodes(const State<Dim>& state, const MovedMesh<Dim>
     c.wet.assign(n, 1);  // inserted nodes are inside the fluid
     c.wall = state.nodes.wall;
     c.old.assign(n, -1);
-    for (std::size_t i = 0; i < moved.x.size(); ++i) {
-        if (newIndex[i] < 0) continue;
-        c.old[newIndex[i]] = static_cast<int>(i);
-        c.onSolid[newIndex[i]] = moved.topology.onSolid[i];
-        if (moved.topology.onSolid[i]) c.wall[newIndex[i]] = moved.topology.supports[i];
-        c.wet[newIndex[i]] = moved.topology.wet(static_cast<int>(i));
+    for (int i = 0; i < moved.topology.nNodes(); ++i) {
+        const int now = places.at(i);
+        if (now < 0) continue;
+        c.old[now] = i;
+        c.onSolid[now] = moved.topology.onSolid[i];
+        if (moved.topology.onSolid[i]) c.wall[now] = moved.topology.supports[i];
+        c.wet[now] = moved.topology.wet(i);
     }
+    places.follow(c.wet);
     return c;
 }
 
@@ -145,6 +167,25 @@ void bookGone(const MovedMesh<Dim>& moved, const std::vector<int>& gone, State<D
     std::vector<double> amounts = moved.gone;
     for (double& amount : amounts) amount = -amount;
     state.ledger.book(VolumeCause::gone, amounts);
+}
+
+/// Of cells and their copies beyond periodic sides those that count.
+template <int Dim>
+void keepOwn(const State<Dim>& state, Connectivity<Dim>& selected) {
+    const auto isCopy = [&](const Simplex<Dim>& cell) { return !isOwnCell<Dim>(state, cell); };
+    auto& [fluid, gaps, changes] = selected;
+    fluid.erase(std::remove_if(fluid.begin(), fluid.end(), isCopy), fluid.end());
+    gaps.erase(std::remove_if(gaps.begin(), gaps.end(), isCopy), gaps.end());
+    changes.erase(std::remove_if(changes.begin(), changes.end(), [&](const auto& c) { return isCopy(c.cell); }),
+                  changes.end());
+}
+
+/// The changes with masters in the place of their images.
+template <int Dim>
+std::vector<CellChange<Dim>> ofMasters(const Images<Dim>& images, std::vector<CellChange<Dim>> changes) {
+    for (auto& change : changes)
+        for (int& node : change.cell) node = images.own(node);
+    return changes;
 }
 
 /// Nodes without triangles have no pressure.
@@ -182,10 +223,12 @@ RemeshReport<Dim> remesh(RemeshTask<Dim> task, Triangulator<Dim>& triangulator, 
     auto plan =
         planNodes<Dim>(controls, moved, state.nodes.h, keptNodes<Dim>(state.mesh, state.nodes.size()), task.pinched);
     for (const int drop : task.gone) plan.removed[drop] = 1;
+    std::fill(plan.removed.begin() + moved.images.nOwn, plan.removed.end(), 1);  // images are made anew
     for (std::size_t i = 0; i < moved.joins.size(); ++i)
         if (moved.joins[i] >= 0) plan.removed[i] = 1;
     const int material = state.mesh.fluid.material.empty() ? 0 : state.mesh.fluid.material[0];
-    const auto newIndex = carryOut<Dim>(plan, moved, state);
+    auto newIndex = carryOut<Dim>(plan, moved, state);
+    const auto newPlaces = throughSides<Dim>(task.sides, moved, newIndex, state);
 
     CandidateNodes<Dim> candidates;
     std::optional<MovedPlaces<Dim>> places;
@@ -194,19 +237,22 @@ RemeshReport<Dim> remesh(RemeshTask<Dim> task, Triangulator<Dim>& triangulator, 
         [&] {
             triangulator.follow(state.nodes.x, state.nodes.id, activeNodes<Dim>(state, kinds, moved.topology, newIndex),
                                 fixedFaces<Dim>(state, kinds, moved.topology, newIndex),
-                                surfaceFaces<Dim>(controls, plan, newIndex));
+                                surfaceFaces<Dim>(controls, plan, task.sides, newPlaces));
         },
         [&] {
-            candidates = candidateNodes<Dim>(state, moved, newIndex, task.dt);
+            candidates = candidateNodes<Dim>(state, moved, newPlaces, task.dt);
             places.emplace(moved);
         });
-    const auto selected =
+    auto selected =
         selectFluid<Dim>(controls, triangulator.triangulation(state.nodes.size()), candidates, moved, *places);
+    if (task.sides) keepOwn<Dim>(state, selected);
     state.mesh.fluid.nodes = selected.fluid;
     state.mesh.fluid.material.assign(selected.fluid.size(), material);
+    if (task.sides) setCopies<Dim>(*task.sides, state);
+    moved.images.hide(moved.topology.freeSurface);  // what is changed there is changed at the masters
 
     VolumeLedger sheet = state.ledger.sheet(state.nodes.size());
-    bookRemeshing<Dim>(moved, plan, newIndex, selected.changes, sheet, state);
+    bookRemeshing<Dim>(moved, plan, newIndex, ofMasters<Dim>(imagesOf<Dim>(state), selected.changes), sheet, state);
     sheet.book(VolumeCause::isolated, dropVolume<Dim>(state) - drops);
     sheet.place(VolumeCause::isolated, state.nodes.dropVolume);
     state.ledger.place(VolumeCause::isolated, moved.dropVolume, -1);
@@ -214,7 +260,7 @@ RemeshReport<Dim> remesh(RemeshTask<Dim> task, Triangulator<Dim>& triangulator, 
     clearDryPressure<Dim>(state);
 
     RemeshReport<Dim> report;
-    report.removed = std::accumulate(plan.removed.begin(), plan.removed.end(), 0);
+    report.removed = std::accumulate(plan.removed.begin(), plan.removed.begin() + moved.images.nOwn, 0);
     report.inserted = static_cast<int>(plan.inserted.size());
     report.contacts = cellsOf<Dim>(selected.changes, VolumeCause::contact);
     report.gaps = selected.gaps;

@@ -4,6 +4,7 @@
 #include "remesh/controls.hpp"
 #include "remesh/delaunay.hpp"
 #include "remesh/movedMesh.hpp"
+#include "state/unfolding.hpp"
 
 namespace pfem {
 
@@ -28,10 +29,11 @@ template <int Dim>
 struct RemeshTask {
     const RemeshingControls& controls;
     const std::vector<PatchKind>& kinds;
-    Topology<Dim> topology;         // of the state's mesh
-    double dt = 0;                  // length of the step that moved it [s]
-    std::vector<int> gone = {};     // drops that are let go
-    std::vector<int> pinched = {};  // nodes of cells for which there is no room any more
+    Topology<Dim> topology;             // of the state's mesh
+    double dt = 0;                      // length of the step that moved it [s]
+    std::vector<int> gone = {};         // drops that are let go
+    std::vector<int> pinched = {};      // nodes of cells for which there is no room any more
+    const Sides<Dim>* sides = nullptr;  // periodic ones; the state is unfolded then, before and after
 };
 
 /// Remove and insert nodes, triangulate with walls, solids and the free surface as constraints, select the fluid.

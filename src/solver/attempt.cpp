@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "conditions/sides.hpp"
 #include "continuity/compression.hpp"
 #include "continuity/residual.hpp"
 #include "momentum/meniscus.hpp"
@@ -40,6 +41,14 @@ std::vector<double> returnedVolume(const Topology<Dim>& topology, const State<Di
     return returned;
 }
 
+/// The fluid's cells that count.
+template <int Dim>
+Cells<Dim> countedCells(const State<Dim>& state) {
+    Cells<Dim> cells = state.mesh.fluid;
+    cells.nodes.resize(nOwnCells<Dim>(state));
+    return cells;
+}
+
 /// Algorithm 1 but for its last line: the nodes move, the connectivity stays. `problem`: that of the step's end,
 /// `within`: that of the time at which the momentum equation holds.
 template <int Dim>
@@ -47,7 +56,10 @@ Motion<Dim> move(const Problem<Dim>& problem, const Problem<Dim>& within, const 
                  const State<Dim>& last, AdvanceReport& report, State<Dim>& state) {
     Motion<Dim> motion;
     motion.dt = report.dt;
+    const auto images = imagesOf<Dim>(state);
     auto [topologyOfStep, constraints] = beginStep<Dim>(problem, report.dt, state);
+    images.follow(state.nodes.v);
+    images.follow(state.nodes.a);
     motion.topology = std::move(topologyOfStep);
     const Topology<Dim>& topology = motion.topology;
     const FluidMass mass = controls.momentum.fluidMass();
@@ -58,13 +70,16 @@ Motion<Dim> move(const Problem<Dim>& problem, const Problem<Dim>& within, const 
     MotionAccount<Dim> account(state);
     const double divTarget = volumeCorrection<Dim>(state, controls.continuity.volumeCorrectionTime, report.dt);
     const MidpointRule midpoint{report.dt, controls.timeIntegration.gamma};
-    auto result = fsiStep<Dim>({within, state.mesh, topology, constraints, state.nodes, midpoint, divTarget}, controls);
+    auto result = fsiStep<Dim>({within, state.mesh, topology, constraints, state.nodes, midpoint, divTarget,
+                                images.empty() ? nullptr : &images},
+                               controls);
     report.step = result.report;
     motion.wallsOld = state.nodes.wall;
     motion.returned = returnedVolume<Dim>(topology, state, report.dt * volumeReturnRate(controls.continuity, report.dt),
                                           report.dt * divTarget);
     state.energy.book(EnergyCause::volume,
-                      volumeEnergy<Dim>(problem, state.mesh.fluid, state.nodes, result.nodes, motion.returned, mass) +
+                      volumeEnergy<Dim>(problem, images.empty() ? state.mesh.fluid : countedCells<Dim>(state),
+                                        state.nodes, result.nodes, images.counted(motion.returned), mass) +
                           meniscusWork<Dim>(within, state.mesh.fluid, topology, state.nodes, result.nodes,
                                             controls.timeIntegration.gamma));
     motion.compressed = compressedVolume<Dim>(problem, state.mesh.fluid, topology.fluid, result.nodes, state.nodes.p);
@@ -72,15 +87,14 @@ Motion<Dim> move(const Problem<Dim>& problem, const Problem<Dim>& within, const 
     state.nodes = std::move(result.nodes);
     state.mesh.solid.sigma = std::move(result.cellSigma);
     state.mesh.solid.history = std::move(result.cellHistory);
-    account.bookSolver(motion.returned, motion.compressed, state);
+    account.bookSolver(images.counted(motion.returned), images.counted(motion.compressed), state);
     return motion;
 }
 
-}  // namespace
-
+/// attempt() of a state that is unfolded where there are periodic sides.
 template <int Dim>
-State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, Triangulator<Dim>& triangulator,
-                   const State<Dim>& last, AdvanceReport& report) {
+State<Dim> attemptUnfolded(const Problem<Dim>& problemOfRun, const Controls& controls, Triangulator<Dim>& triangulator,
+                           const State<Dim>& last, AdvanceReport& report) {
     const double t = last.time.value;
     const auto problem = problemAt<Dim>(t + report.dt, problemOfRun),
                within = problemAt<Dim>(t + controls.timeIntegration.gamma * report.dt, problemOfRun);
@@ -109,6 +123,16 @@ State<Dim> attempt(const Problem<Dim>& problemOfRun, const Controls& controls, T
     }
     report.seconds[1] += now() - stepped;
     return state;
+}
+
+}  // namespace
+
+template <int Dim>
+State<Dim> attempt(const Problem<Dim>& problem, const Controls& controls, Triangulator<Dim>& triangulator,
+                   const State<Dim>& last, AdvanceReport& report) {
+    if (!problem.period.any()) return attemptUnfolded<Dim>(problem, controls, triangulator, last, report);
+    return folded<Dim>(attemptUnfolded<Dim>(problem, controls, triangulator,
+                                            unfolded<Dim>(sidesOf<Dim>(problem, last), last), report));
 }
 
 #define PFEM_INSTANTIATE(D) \

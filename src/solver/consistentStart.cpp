@@ -11,10 +11,10 @@ template <int Dim>
 Nodes<Dim> consistentStart(Problem<Dim> problem, const Controls& asGiven, const State<Dim>& state,
                            const Topology<Dim>& topology, const ConstraintsOver<Dim>& constraintsOver, double moment) {
     const Nodes<Dim>& nodes = state.nodes;
+    const auto images = imagesOf<Dim>(state);
     // a fluid without free surface has its pressure up to a constant: a trace of compressibility says which
-    const bool open =
-        problem.conditions.anyOutlet() ||
-        std::find(topology.freeSurface.begin(), topology.freeSurface.end(), 1) != topology.freeSurface.end();
+    const auto free = images.counted(topology.freeSurface);
+    const bool open = problem.conditions.anyOutlet() || std::find(free.begin(), free.end(), 1) != free.end();
     double h = 0;
     for (double size : nodes.h) h = std::max(h, size);
     for (auto& material : problem.materials)
@@ -28,7 +28,10 @@ Nodes<Dim> consistentStart(Problem<Dim> problem, const Controls& asGiven, const 
     double t = 0;  // walls that accelerate go on doing so
     const auto over = [&](const Controls& with, const NodeConstraints<Dim>& constraints, const Nodes<Dim>& from,
                           double dt) {
-        const Step<Dim> step{problem, state.mesh, topology, constraints, from, {dt, with.timeIntegration.gamma}};
+        const Step<Dim> step{problem,  state.mesh,
+                             topology, constraints,
+                             from,     {dt, with.timeIntegration.gamma},
+                             0,        images.empty() ? nullptr : &images};
         return fsiStep<Dim>(step, with).nodes;
     };
     const auto step = [&](const Nodes<Dim>& from) {

@@ -52,6 +52,7 @@ std::vector<double> ContinuityEquation<Dim>::solve(const std::vector<double>& re
     ++iterations_;
     auto dp = system_.solve(residual);
     if (momentum_.isViscous()) addViscousPressure<Dim>(fluid_.domains, fluid_.tangent(), viscousScale_, residual, dp);
+    step_.follow(dp);
     return dp;
 }
 

@@ -5,6 +5,7 @@
 #include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
 #include "momentum/consistentMass.hpp"
+#include "state/images.hpp"
 
 namespace pfem {
 
@@ -22,7 +23,7 @@ template <int Dim>
 StoredEnergy fluidEnergy(const Problem<Dim>& problem, const State<Dim>& state, FluidMass mass) {
     const auto& nodes = state.nodes;
     const auto& cells = state.mesh.fluid;
-    StoredEnergy energy = parallelSum(cells.size(), [&](int e) {
+    StoredEnergy energy = parallelSum(nOwnCells<Dim>(state), [&](int e) {
         const ViscousFluid& fluid = problem.fluid(cells.material[e]);
         double squaredSpeed = 0, height = 0, squaredPressure = 0;
         for (const int i : cells.nodes[e]) {
@@ -37,7 +38,8 @@ StoredEnergy fluidEnergy(const Problem<Dim>& problem, const State<Dim>& state, F
     });
     const auto first = std::find_if(problem.materials.begin(), problem.materials.end(),
                                     [](const Material& m) { return m.kind == MaterialKind::fluid; });
-    for (int i = 0; first != problem.materials.end() && i < nodes.size(); ++i) {
+    const int n = first == problem.materials.end() ? 0 : nOwnNodes<Dim>(state);
+    for (int i = 0; i < n; ++i) {
         const double ofDrop = first->fluid.rho * nodes.dropVolume[i];
         energy.kinetic += 0.5 * ofDrop * nodes.v[i].squaredNorm();
         energy.potential -= ofDrop * problem.gravity.dot(nodes.x[i]);

@@ -1,6 +1,7 @@
 #include "solver/impact.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "conditions/constraints.hpp"
@@ -8,6 +9,7 @@
 #include "mesh/simplex.hpp"
 #include "momentum/mass.hpp"
 #include "solver/inelastic.hpp"
+#include "state/images.hpp"
 
 namespace pfem {
 
@@ -98,6 +100,26 @@ double fastestHold(const std::vector<Simplex<Dim>>& contacts, const Points<Dim>&
     return fastest;
 }
 
+/// Sets the velocity of a node, and of all the others that stand for the same one beyond periodic sides.
+template <int Dim>
+class Velocities {
+public:
+    Velocities(const std::vector<Simplex<Dim>>& struck, const State<Dim>& state) : images_(imagesOf<Dim>(state)) {
+        for (const auto& s : struck)
+            for (const int i : s)
+                if (images_.isImage(i)) struck_.insert({images_.own(i), i});
+    }
+    void set(int i, const Vec<Dim>& value, Points<Dim>& v) const {
+        v[images_.own(i)] = value;
+        const auto [begin, end] = struck_.equal_range(images_.own(i));
+        for (auto image = begin; image != end; ++image) v[image->second] = value;
+    }
+
+private:
+    Images<Dim> images_;
+    std::multimap<int, int> struck_;  // the images of each master
+};
+
 }  // namespace
 
 template <int Dim>
@@ -108,6 +130,7 @@ void strike(const Problem<Dim>& problem, const std::vector<Simplex<Dim>>& contac
                      [&](const auto& s) { return simplexDivergence<Dim>(nodes.x, nodes.v, s) < 0; }))
         return;
     const auto constraints = holdOf<Dim>(problem, state);
+    const Velocities<Dim> velocities(struck, state);
     const auto mass = fluidMass<Dim>(problem, state.mesh.fluid, nodes.x);
     const double before = fastestOf<Dim>(struck, nodes.v);
     std::vector<unsigned char> meets(nodes.size(), 0);
@@ -117,7 +140,7 @@ void strike(const Problem<Dim>& problem, const std::vector<Simplex<Dim>>& contac
     for (const auto& rider : constraints.riders)
         brought.push_back(rider.own(nodes.v[rider.ride.node]) - rider.carried(nodes.v));
     for (const auto& s : struck)  // what a wall holds from now on strikes nobody
-        for (int i : s) nodes.v[i] = constraints.velocity(i, nodes.x[i], nodes.v[i]);
+        for (int i : s) velocities.set(i, constraints.velocity(i, nodes.x[i], nodes.v[i]), nodes.v);
     for (const auto& rider : constraints.riders)
         if (meets[rider.ride.node]) nodes.v[rider.ride.node] += rider.carried(nodes.v);
     const Points<Dim> held = nodes.v;
@@ -136,7 +159,7 @@ void strike(const Problem<Dim>& problem, const std::vector<Simplex<Dim>>& contac
             cell.apart = apart[s[0]];
             if (cell.divergence() >= -enough * fastest || !stopClosing<Dim>(cell)) continue;
             closing = true;
-            for (int k = 0; k <= Dim; ++k) nodes.v[s[k]] = cell.v[k];
+            for (int k = 0; k <= Dim; ++k) velocities.set(s[k], cell.v[k], nodes.v);
         }
     }
     // walls that move in several ways could play ball with a node

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -69,13 +70,22 @@ bool crossed(const Face<Dim>& face, const Points<Dim>& faceOld, const Points<Dim
     return footWeights<Dim>(then, all, xOld + part * (xNew - xOld)).minCoeff() > 0;
 }
 
-/// Old positions of the nodes of `next` that exist in `last`; of the others, the new ones.
+/// Old positions of the nodes of `next` that exist in `last`; of the others, and of images, the new ones. Of a node
+/// that has gone through a periodic side, that of its image.
 template <int Dim>
-Points<Dim> oldPositions(const Nodes<Dim>& last, const Nodes<Dim>& next) {
-    Points<Dim> x = next.x;
-    for (int i = 0, j = 0; i < next.size(); ++i) {  // both sorted by id
-        while (j < last.size() && last.id[j] < next.id[i]) ++j;
-        if (j < last.size() && last.id[j] == next.id[i]) x[i] = last.x[j];
+Points<Dim> oldPositions(const State<Dim>& last, const State<Dim>& next) {
+    const auto images = imagesOf<Dim>(last);
+    const auto& [before, now] = std::tie(last.nodes, next.nodes);
+    std::vector<Points<Dim>> ofImages(images.nOwn);
+    for (int i = images.nOwn; i < before.size(); ++i) ofImages[images.master[i]].push_back(before.x[i]);
+    Points<Dim> x = now.x;
+    const int n = nOwnNodes<Dim>(next);
+    for (int i = 0, j = 0; i < n; ++i) {  // both sorted by id
+        while (j < images.nOwn && before.id[j] < now.id[i]) ++j;
+        if (j == images.nOwn || before.id[j] != now.id[i]) continue;
+        x[i] = before.x[j];
+        for (const Vec<Dim>& other : ofImages[j])
+            if ((other - now.x[i]).norm() < (x[i] - now.x[i]).norm()) x[i] = other;
     }
     return x;
 }
@@ -170,13 +180,18 @@ void checkSolids(const Points<Dim>& xOld, const State<Dim>& next) {
     }
 }
 
-/// The volume beside which a step's change counts [m2 (2D), m3]: all that there is; where water has left through
-/// outlets, up to the first volume of the run, for the last few cells of what runs dry change by much of themselves.
+/// The largest change of the volume in a step [m2 (2D), m3]: a part of all that there is. Once water has left through
+/// outlets, a few cells may come or go, for the last ones of what runs dry change by much of themselves; but no more
+/// than the same part of the run's first volume.
 template <int Dim>
-double referenceVolume(const State<Dim>& state) {
-    const double now = totalVolume<Dim>(state), left = -state.ledger[VolumeCause::outflow];
-    const double first = now - state.ledger.sum();
-    return std::min(std::max(now, first), now + std::max(0.0, left));
+double allowedChange(double part, const State<Dim>& state) {
+    constexpr double fewCells = 4;
+    const double now = totalVolume<Dim>(state), first = now - state.ledger.sum();
+    if (state.ledger[VolumeCause::outflow] >= 0 || first <= now) return part * now;
+    double largest = 0;
+    for (const auto& cell : state.mesh.fluid.nodes)
+        largest = std::max(largest, simplexMeasure<Dim>(state.nodes.x, cell));
+    return std::max(part * now, std::min(part * first, fewCells * largest));
 }
 
 }  // namespace
@@ -187,13 +202,13 @@ void checkInvariants(const ConvergenceControls& controls, const Topology<Dim>& t
     checkFinite<Dim>(next.nodes);
     checkCells<Dim>("solid", next.nodes, next.mesh.solid.nodes);
     checkCells<Dim>("fluid", next.nodes, next.mesh.fluid.nodes);
-    const Points<Dim> xOld = oldPositions<Dim>(last.nodes, next.nodes);
+    const Points<Dim> xOld = oldPositions<Dim>(last, next);
     checkWalls<Dim>(topology, xOld, next);
     checkSolidsAtWalls<Dim>(topology, next);
     checkSolids<Dim>(xOld, next);
     const double before = totalVolume<Dim>(last), after = totalVolume<Dim>(next) - next.ledger.sum(CauseKind::passage) +
                                                           last.ledger.sum(CauseKind::passage);
-    if (std::abs(after - before) > controls.maxVolumeChange * referenceVolume<Dim>(last))
+    if (std::abs(after - before) > allowedChange<Dim>(controls.maxVolumeChange, last))
         throw StepFailure(fmt::format("the fluid's volume changed from {:.6g} to {:.6g} in one step", before, after));
 }
 

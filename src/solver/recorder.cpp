@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <tuple>
+
 #include "io/stateFiles.hpp"
 #include "solver/failedFolder.hpp"
+#include "solver/joinedAtSides.hpp"
 #include "solver/outputFields.hpp"
 #include "solver/startNumbers.hpp"
 
@@ -42,8 +45,11 @@ void Recorder<Dim>::giveUp(const std::string& what, const StepFailure& failure, 
 
 template <int Dim>
 void Recorder<Dim>::start(double dt) {
+    const auto& [problem, controls] = std::tie(simulation_.problem, simulation_.controls);
+    const bool isPeriodic = problem.period.any();  // then the first folder has the cells that go round, too
+    if (isPeriodic) simulation_.state = joinedAtSides<Dim>(problem, controls.remeshing, simulation_.state);
     const State<Dim> given = simulation_.state;
-    if (given.ledger.counting()) writeState(clock_.startFolder(), given, ledgerFields(given));
+    if (isPeriodic || given.ledger.counting()) writeState(clock_.startFolder(), given, ledgerFields(given));
     try {
         simulation_.start(dt);
     } catch (const StepFailure& failure) {

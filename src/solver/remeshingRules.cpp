@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "conditions/sides.hpp"
 #include "mesh/contacts.hpp"
 #include "remesh/letGo.hpp"
 #include "remesh/lostVolume.hpp"
@@ -130,8 +131,14 @@ void reconnect(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutco
         topology = withContacts<Dim>(state.mesh, kinds, state.nodes.x, state.nodes.wall, std::move(topology));
     else if (!sameWalls)
         topology = withWalls<Dim>(state.mesh, kinds, state.nodes.x, state.nodes.wall, std::move(topology));
-    outcome.connectivity = remesh<Dim>(
-        {c.controls, kinds, std::move(topology), c.motion.dt, outcome.leaving, outcome.pinched}, c.triangulator, state);
+    const auto images = imagesOf<Dim>(state);
+    auto& leaving = outcome.leaving;
+    leaving.erase(std::remove_if(leaving.begin(), leaving.end(), [&](int i) { return images.isImage(i); }),
+                  leaving.end());
+    const auto sides = sidesOf<Dim>(c.problem, state);
+    outcome.connectivity = remesh<Dim>({c.controls, kinds, std::move(topology), c.motion.dt, leaving, outcome.pinched,
+                                        sides.period.any() ? &sides : nullptr},
+                                       c.triangulator, state);
 }
 
 template <int Dim>
@@ -187,9 +194,11 @@ RemeshingOutcome<Dim> runRules(const std::vector<RemeshingRule<Dim>>& rules, con
     MotionAccount<Dim> account(state);
     const auto total = [&] { return fluidEnergy<Dim>(context.problem, state, context.mass).total(); };
     const double energy = total();
+    const auto sides = sidesOf<Dim>(context.problem, state);
     for (const auto& rule : rules) {
         if (rule.applies && !rule.applies(context, state)) continue;
         rule.run(context, state, outcome);
+        if (sides.period.any()) keepImages<Dim>(sides, state);
         if (rule.cause) account.book(*rule.cause, state);
     }
     state.energy.book(EnergyCause::remeshing, total() - energy);

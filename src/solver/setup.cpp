@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <iostream>
 
+#include "conditions/periodic.hpp"
 #include "dictionary/dimensions.hpp"
 #include "solver/checkOpenings.hpp"
+#include "solver/checkPeriodic.hpp"
 #include "solver/checkProblem.hpp"
 #include "solver/formerEntries.hpp"
 
@@ -69,7 +71,11 @@ Problem<Dim> readProblem(const Case& theCase, const State<Dim>& state, std::ostr
     const Dictionary contact = std::filesystem::exists(contactFile) ? Dictionary::read(contactFile) : Dictionary();
     problem.contact.on = std::filesystem::exists(contactFile);
     readEntries(contact, problem.contact);
-    for (const auto* dict : {&materials, &g, &conditions, &contact})
+    const auto periodicFile = theCase.constant("periodic");
+    const Dictionary periodic = std::filesystem::exists(periodicFile) ? Dictionary::read(periodicFile) : Dictionary();
+    problem.period = periodOf<Dim>(periodic, readEntries<PeriodicEntries>(periodic));
+    checkPeriodic<Dim>(periodic, problem, state);
+    for (const auto* dict : {&materials, &g, &conditions, &contact, &periodic})
         if (warnings) warnUnused(*dict, *warnings);
     if (warnings && state.time.index == 0)
         for (const auto& text : doubts<Dim>(materials, g, conditions, problem, state))

@@ -1,8 +1,10 @@
 #include "solver/simulation.hpp"
 
+#include "conditions/sides.hpp"
 #include "solver/beginStep.hpp"
 #include "solver/consistentStart.hpp"
 #include "solver/invariants.hpp"
+#include "solver/joinedAtSides.hpp"
 #include "walls/openings.hpp"
 
 namespace pfem {
@@ -15,10 +17,16 @@ void Simulation<Dim>::start(double dt) {
     if (conditions.anyInlet())
         holdAtLips<Dim>(conditions, makeTopology<Dim>(state.mesh, conditions.kind, state.nodes.x, state.nodes.wall),
                         state.nodes);
+    if (problem.period.any())
+        state = unfolded<Dim>(sidesOf<Dim>(problem, state), joinedAtSides<Dim>(problem, controls.remeshing, state));
     const auto topology = beginStep<Dim>(problem, 0, state).topology;
+    const auto sides = sidesOf<Dim>(problem, state);
+    keepImages<Dim>(sides, state);
     const auto over = [&](double from, double to) { return constraintsOver<Dim>(from, to, problem, state, topology); };
     state.nodes =
         consistentStart<Dim>(problemAt<Dim>(state.time.value, problem), controls, state, topology, over, 1e-3 * dt);
+    keepImages<Dim>(sides, state);
+    state = folded<Dim>(std::move(state));
 }
 
 template <int Dim>

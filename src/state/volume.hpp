@@ -3,7 +3,7 @@
 
 #include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
-#include "state/state.hpp"
+#include "state/images.hpp"
 
 namespace pfem {
 
@@ -13,18 +13,26 @@ double cellVolume(const Points<Dim>& x, const std::vector<Simplex<Dim>>& cells) 
     return parallelSum(static_cast<int>(cells.size()), [&](int e) { return simplexMeasure<Dim>(x, cells[e]); });
 }
 
+/// Of the cells that count (state/images.hpp).
+template <int Dim>
+double cellVolume(const State<Dim>& state) {
+    return parallelSum(nOwnCells<Dim>(state),
+                       [&](int e) { return simplexMeasure<Dim>(state.nodes.x, state.mesh.fluid.nodes[e]); });
+}
+
 /// What isolated particles carry.
 template <int Dim>
 double dropVolume(const State<Dim>& state) {
     double volume = 0;
-    for (double drop : state.nodes.dropVolume) volume += drop;
+    const int n = nOwnNodes<Dim>(state);
+    for (int i = 0; i < n; ++i) volume += state.nodes.dropVolume[i];
     return volume;
 }
 
 /// Volume of the fluid's cells plus what isolated particles carry.
 template <int Dim>
 double totalVolume(const State<Dim>& state) {
-    return cellVolume<Dim>(state.nodes.x, state.mesh.fluid.nodes) + dropVolume<Dim>(state);
+    return cellVolume<Dim>(state) + dropVolume<Dim>(state);
 }
 
 }  // namespace pfem
