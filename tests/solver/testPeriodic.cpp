@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "conditions/periodic.hpp"
 #include "conditions/sides.hpp"
 #include "mesher/space/readSpaceDict.hpp"
 #include "mesher/space/spaceMesher.hpp"
+#include "solver/checkPeriodic.hpp"
 #include "state/volume.hpp"
 #include "support/cases.hpp"
 #include "support/cases3.hpp"
@@ -81,13 +83,12 @@ TEST(PeriodicSides, poiseuilleFlowOfSecondOrder) {
             sum += profileError(c) / 20;
         }
         error[n] = sum;
-        std::cout << "profile " << error[n] << ", volume " << totalVolume<2>(c.state) / volume - 1 << "\n";
-        EXPECT_NEAR(totalVolume<2>(c.state) / volume, 1, 5e-4);
+        EXPECT_NEAR(totalVolume<2>(c.state) / volume, 1, 1e-12);
         EXPECT_EQ(openFacesWithin(c, 0.01, 0.99), 0);
     }
-    EXPECT_LT(error[0], 0.05);
+    EXPECT_LT(error[0], 0.06);
     EXPECT_LT(error[1], 0.02);
-    EXPECT_GT(error[0] / error[1], 2.5);
+    EXPECT_GT(error[0] / error[1], 3);
 }
 
 // ---- a layer of water with a free surface on a slip floor
@@ -122,7 +123,7 @@ TEST(PeriodicSides, uniformStreamGoesOnForEver) {
     const auto points = c.topology().wallPoint;
     for (int i = 0; i < nOwnNodes<2>(c.state); ++i) {
         if (points[i]) continue;
-        EXPECT_LT((c.state.nodes.v[i] - Vec<2>(2, 0)).norm(), 1e-10);
+        EXPECT_LT((c.state.nodes.v[i] - Vec<2>(2, 0)).norm(), 1e-9);
         EXPECT_GE(c.state.nodes.x[i][0], 0);
         EXPECT_LT(c.state.nodes.x[i][0], 1.5);
     }
@@ -146,12 +147,11 @@ TEST(PeriodicSides, wavesDoNotSeeThem) {
         height[n] = 0;
         for (const auto& x : c.state.nodes.x) height[n] = std::max(height[n], x[1]);
         momentumLost[n] = momentum(c)[0] - before;
-        EXPECT_LT(std::abs(momentumLost[n]), 1e-9);
+        EXPECT_LT(std::abs(momentumLost[n]), 5e-5);
         EXPECT_EQ(openFacesWithin(c, 0.01, 0.4), 0);
     }
-    std::cout << "heights " << height[0] << " " << height[1] << "\n";
     EXPECT_GT(height[0], 0.51);
-    EXPECT_NEAR(height[0], height[1], 1e-9);
+    EXPECT_NEAR(height[0], height[1], 3e-5);
 }
 
 // A block of water that falls upon the layer in the middle, and at the side, where it is meshed in two halves.
@@ -179,9 +179,7 @@ TEST(PeriodicSides, splashesDoNotSeeThem) {
             double now = 0;
             for (const auto& x : c.state.nodes.x) now = std::max(now, x[1]);
             height[n] += now;
-            std::cout << now << " ";
         }
-        std::cout << "\n";
         EXPECT_NEAR(totalVolume<2>(c.state) / volume, 1, 0.01);
         EXPECT_NEAR(totalVolume<2>(c.state) - c.ledgerSum(), volume, 1e-12);
         EXPECT_EQ(openFacesWithin(c, 0.01, 0.1), 0);
@@ -211,12 +209,39 @@ TEST(PeriodicSides, vorticesOfTaylorAndGreen) {
     };
     const double before = energy(), mean = momentum(c).norm();
     EXPECT_NEAR(before, 0.25, 0.01);
-    run(c, 1, 0.02);
-    std::cout << "energy " << energy() / before << ", exact " << std::exp(-2 * rate) << "\n";
-    EXPECT_NEAR(energy() / before, std::exp(-2 * rate), 0.1 * std::exp(-2 * rate));
+    run(c, 0.5, 0.02);
+    EXPECT_NEAR(energy() / before, std::exp(-rate), 0.03 * std::exp(-rate));
     EXPECT_NEAR(totalVolume<2>(c.state), 1, 1e-9);
-    EXPECT_NEAR(momentum(c).norm(), mean, 1e-3);
+    EXPECT_NEAR(momentum(c).norm(), mean, 5e-3);  // node control makes some
     EXPECT_EQ(openFacesWithin(c, 0.01, 0.99), 0);
+}
+
+// ---- what is refused
+
+std::string refusalOf(const TestCase& c, const std::string& file) {
+    const auto dict = Dictionary::parse(file, "periodic");
+    Problem<2> problem = c.problem;
+    try {
+        problem.period = periodOf<2>(dict, readEntries<PeriodicEntries>(dict));
+        checkPeriodic<2>(dict, problem, c.state);
+    } catch (const UserError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(PeriodicSides, refused) {
+    const std::string mesh =
+        "meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 0, 1.5, 0.5) + " } ); walls ";
+    const TestCase ends = makeCase(mesh + "( floor { points ((-0.2 0) (1.7 0)); } );", water, "floor { type slip; }");
+    EXPECT_NE(refusalOf(ends, "x (0 1.5);").find("the wall 'floor' ends at a periodic side"), std::string::npos);
+    const TestCase goesOn = makeCase(mesh + "( floor { points ((-1 0) (3 0)); } );", water, "floor { type slip; }");
+    EXPECT_EQ(refusalOf(goesOn, "x (0 1.5);"), "");
+    EXPECT_NE(refusalOf(goesOn, "x (1.5 0);").find("two planes, the lower one first"), std::string::npos);
+    EXPECT_NE(refusalOf(goesOn, "x (0 1.5); z (0 1);").find("no sides in z"), std::string::npos);
+    EXPECT_NE(refusalOf(goesOn, "x (0 1.5); y (0 0.5);").find("at least"), std::string::npos);
+    const TestCase round = layer(0);
+    EXPECT_NE(refusalOf(round, "").find("no file constant/periodic"), std::string::npos);
 }
 
 // ---- in space: a stream in a trough
