@@ -123,7 +123,7 @@ State<Dim> readState(const std::filesystem::path& folder) {
     state.energy.takeFrom(uniform.energy);
     state.memory = uniform.memory;
     state.nodes = mergeNodes<Dim>({&solid, &fluid, &boundary});
-    if (!mastersExist<Dim>(state))
+    if (!namesAreValid<Dim>(state))
         fluid.fail(fmt::format("array 'id': node {} is not below nextId {} in uniform/time", state.nodes.id.back(),
                                state.nextId));
     state.mesh.fluid = simplicesOf(fluid, state.nodes, true);

@@ -36,7 +36,7 @@ void checkSizes(const State<Dim>& state, const ExtraFields& extra) {
     Nodes<Dim>::fields([&](const char*, auto field, const auto&, auto) { ok = ok && (nodes.*field).size() == n; });
     for (std::size_t i = 1; i < n && ok; ++i) ok = nodes.id[i - 1] < nodes.id[i];
     if (!ok) throw InternalError("writeState: nodal arrays differ in length or ids do not ascend");
-    if (!mastersExist<Dim>(state)) throw InternalError("writeState: nextId is not above all ids but those of images");
+    if (!namesAreValid<Dim>(state)) throw InternalError("writeState: nextId is not above all ids but those of images");
     for (const Cells<Dim>* cells : {&state.mesh.fluid, &state.mesh.solid})
         if (cells->nodes.size() != cells->material.size())
             throw InternalError("writeState: the number of materials is not the number of cells");

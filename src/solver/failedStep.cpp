@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "mesh/simplex.hpp"
+#include "state/images.hpp"
 
 namespace pfem {
 
@@ -87,7 +88,8 @@ Inspection<Dim> inspect(const FailedStep<Dim>& failure, const State<Dim>& last) 
     if (std::count(result.failed.begin(), result.failed.end(), 0) == nodes.size()) flagFastest(nodes, result.failed);
 
     state.time = last.time;
-    state.nextId = std::max(last.nextId, nodes.id.empty() ? 0 : nodes.id.back() + 1);
+    const auto images = std::lower_bound(nodes.id.begin(), nodes.id.end(), firstImage);
+    state.nextId = std::max(last.nextId, images == nodes.id.begin() ? 0 : *(images - 1) + 1);
     state.ledger = last.ledger;
     state.approach = last.approach;
     state.energy = last.energy;

@@ -46,9 +46,9 @@ Images<Dim> imagesOf(const State<Dim>& state) {
     images.code.assign(id.size(), 0);
     std::iota(images.master.begin(), images.master.begin() + images.nOwn, 0);
     for (std::size_t i = images.nOwn; i < id.size(); ++i) {
-        const auto master = std::lower_bound(id.begin(), id.begin() + images.nOwn, id[i] % state.nextId);
+        const auto master = std::lower_bound(id.begin(), id.begin() + images.nOwn, id[i] % firstImage);
         images.master[i] = static_cast<int>(master - id.begin());
-        images.code[i] = static_cast<int>(id[i] / state.nextId);
+        images.code[i] = static_cast<int>(id[i] / firstImage);
     }
     return images;
 }
@@ -66,12 +66,13 @@ std::vector<Shift<Dim>> shiftsOf(const Period<Dim>& period) {
 }
 
 template <int Dim>
-bool mastersExist(const State<Dim>& state) {
+bool namesAreValid(const State<Dim>& state) {
     const auto images = imagesOf<Dim>(state);
     const auto& nodes = state.nodes;
+    if (images.nOwn > 0 && nodes.id[images.nOwn - 1] >= state.nextId) return false;
     for (int i = images.nOwn; i < nodes.size(); ++i) {
         const int m = images.master[i];
-        if (state.nextId <= 0 || m == images.nOwn || nodes.id[m] != nodes.id[i] % state.nextId ||
+        if (state.nextId <= 0 || m == images.nOwn || nodes.id[m] != nodes.id[i] % firstImage ||
             nodes.v[m] != nodes.v[i] || nodes.p[m] != nodes.p[i])
             return false;
     }
@@ -83,7 +84,7 @@ bool mastersExist(const State<Dim>& state) {
     template Shift<D> shiftOf<D>(int);               \
     template struct Images<D>;                       \
     template Images<D> imagesOf<D>(const State<D>&); \
-    template bool mastersExist<D>(const State<D>&);  \
+    template bool namesAreValid<D>(const State<D>&); \
     template std::vector<Shift<D>> shiftsOf<D>(const Period<D>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)

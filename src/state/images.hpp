@@ -1,6 +1,6 @@
 #pragma once
 // Periodic sides: nodes beyond them are images of others. They are the last ones of a state, and their names say of
-// whom: id = code nextId + the master's id, with the code of the shift below. Nothing else is written of them.
+// whom: id = code firstImage + the master's id, with the code of the shift below. Nothing else is written of them.
 
 #include <algorithm>
 #include <array>
@@ -9,6 +9,9 @@
 #include "state/state.hpp"
 
 namespace pfem {
+
+/// No other node has so high an id.
+inline constexpr Id firstImage = Id{1} << 56;
 
 /// By how many periods (-1, 0, 1) in each direction.
 template <int Dim>
@@ -43,7 +46,7 @@ Shift<Dim> shiftOf(int code);
 template <int Dim>
 int nOwnNodes(const State<Dim>& state) {
     const auto& id = state.nodes.id;
-    return static_cast<int>(std::lower_bound(id.begin(), id.end(), state.nextId) - id.begin());
+    return static_cast<int>(std::lower_bound(id.begin(), id.end(), firstImage) - id.begin());
 }
 
 /// Of a cell and its copies, shifted by periods, one counts: that whose node with the lowest master is no image.
@@ -51,8 +54,8 @@ template <int Dim>
 bool isOwnCell(const State<Dim>& state, const Simplex<Dim>& cell) {
     const auto& id = state.nodes.id;
     const int lowest = *std::min_element(cell.begin(), cell.end(),
-                                         [&](int i, int j) { return id[i] % state.nextId < id[j] % state.nextId; });
-    return id[lowest] < state.nextId;
+                                         [&](int i, int j) { return id[i] % firstImage < id[j] % firstImage; });
+    return id[lowest] < firstImage;
 }
 
 /// How many cells of the fluid count: all, but for the copies that follow them within a step (unfolding.hpp).
@@ -98,9 +101,9 @@ struct Images {
 template <int Dim>
 Images<Dim> imagesOf(const State<Dim>& state);
 
-/// Has every node that is not below nextId a master, with whose velocity and pressure it moves?
+/// Is every node below nextId, or an image whose master is there and has its velocity and pressure?
 template <int Dim>
-bool mastersExist(const State<Dim>& state);
+bool namesAreValid(const State<Dim>& state);
 
 /// All shifts to images.
 template <int Dim>

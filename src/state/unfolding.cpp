@@ -88,7 +88,7 @@ void setImages(const Sides<Dim>& sides, State<Dim>& state) {
             const Vec<Dim> x = before.x[i] + period.times(shift);
             if (kept[i] || !isNear<Dim>(period, x, width)) continue;
             nodes.append(before, i);
-            nodes.id.back() += codeOf<Dim>(shift) * state.nextId;
+            nodes.id.back() += codeOf<Dim>(shift) * firstImage;
             nodes.x.back() = x;
             placeOnWalls<Dim>(sides, nodes.size() - 1, nodes);
         }
