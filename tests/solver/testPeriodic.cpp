@@ -174,7 +174,7 @@ TEST(PeriodicSides, splashesDoNotSeeThem) {
         EXPECT_NEAR(volume, 1.5 * 0.25 + 0.25 * 0.125, 1e-9);
         run(c, 0.05, 0.002);
         EXPECT_NEAR(totalVolume<2>(c.state), volume, 1e-6);
-        for (height[n] = 0; c.state.time.value < 0.5;) {
+        for (height[n] = 0; c.state.time.value < 0.25;) {
             run(c, 0.05, 0.002);
             double now = 0;
             for (const auto& x : c.state.nodes.x) now = std::max(now, x[1]);
