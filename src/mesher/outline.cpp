@@ -57,11 +57,14 @@ std::vector<int> distinctPoints(const Outline& outline, double tolerance) {
 }
 
 std::vector<std::string> patchesOf(const Body& body, int edge) {
-    const int from = edge, to = (edge + 1) % static_cast<int>(body.points.size());
+    const int n = static_cast<int>(body.points.size()), from = edge, to = (edge + 1) % n;
+    const auto isEdge = [&](const auto& ends) {  // two edges join the same two vertices: the order tells which
+        const auto& [a, b] = ends;
+        return (a == from && b == to) || (n > 2 && a == to && b == from);
+    };
     std::vector<std::string> names;
     for (const auto& [name, edges] : body.patches)
-        for (const auto& [a, b] : edges)
-            if (edge >= 0 && ((a == from && b == to) || (a == to && b == from))) names.push_back(name);
+        if (edge >= 0 && std::any_of(edges.begin(), edges.end(), isEdge)) names.push_back(name);
     return names;
 }
 

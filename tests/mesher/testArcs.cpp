@@ -48,6 +48,23 @@ TEST(Arc, discArea) {
     expectSound(mesh.state);
 }
 
+// Both edges of a disc join the same two vertices.
+TEST(Arc, patchOfOneOfTwoEdges) {
+    const auto patches = [](const std::string& lower, const std::string& both) {
+        const std::string disc = fluidBody("disc", "(-1 0) (1 0)",
+                                           "edges (arc 0 1 (0 -1) arc 1 0 (0 0.3)); patches { lower { edges (" + lower +
+                                               "); } both { edges (" + both + "); } }");
+        const auto state = meshOf(dictOf(disc, "", "0.05")).state;
+        return std::pair(lengthOf(state, "lower"), lengthOf(state, "both"));
+    };
+    const double sag = 0.3, radius = (1 + sag * sag) / (2 * sag), upper = 2 * radius * std::asin(1 / radius);
+    const auto [lower, both] = patches("(0 1)", "(0 1) (1 0)");
+    EXPECT_NEAR(lower, pi, 5e-3);
+    EXPECT_NEAR(both, pi + upper, 1e-2);
+    EXPECT_NEAR(patches("(1 0)", "(1 0) (1 0)").first, upper, 5e-3);
+    EXPECT_NEAR(patches("(1 0)", "(1 0) (1 0)").second, upper, 5e-3);  // named twice
+}
+
 TEST(Arc, curvedWallIsShared) {
     const auto state = meshOf(dictOf(fluidBody("water", "(-1 0) (1 0)", "edges (arc 0 1 (0 -1));"),
                                      "bowl { points ((-1 1) (-1 0) (1 0) (1 1)); edges (arc 1 2 (0 -1)); }"))
