@@ -59,6 +59,22 @@ void ContactForces<Dim>::relax(std::vector<Vec<Dim>>& u) {
     }
 }
 
+/// L such that the velocities u_free + W L obey their bounds.
+template <int Dim>
+void ContactForces<Dim>::answer(std::vector<Vec<Dim>> u) {
+    const Eigen::VectorXd made = W_ * forces();  // by the forces of the last iterate
+    for (std::size_t c = 0; c < pairs_.size(); ++c) u[c] += made.segment<Dim>(static_cast<Eigen::Index>(c * Dim));
+    relax(u);
+}
+
+template <int Dim>
+Eigen::VectorXd ContactForces<Dim>::forces() const {
+    const auto n = static_cast<Eigen::Index>(pairs_.size());
+    Eigen::VectorXd all(n * Dim);
+    for (Eigen::Index c = 0; c < n; ++c) all.segment<Dim>(c * Dim) = force_[static_cast<std::size_t>(c)];
+    return all;
+}
+
 template <int Dim>
 void ContactForces<Dim>::add(const MomentumSystem<Dim>& system, const Nodes<Dim>& end, Points<Dim>& dv) {
     if (!any()) return;
@@ -68,19 +84,31 @@ void ContactForces<Dim>::add(const MomentumSystem<Dim>& system, const Nodes<Dim>
         const ContactPair<Dim>& pair = pairs_[c];
         const double slowly = 0.9 * std::min(0.0, pair.gap);  // what has entered comes out by a tenth
         u.push_back(pair.relative(end.v));
+        u[c][0] = pair.rateAt(end.x, end.v);
         bound_[c] = 0.5 * u[c][0] - (pair.gapAt(end.x) - slowly) / dt_;
         u[c] += pair.relative(dv);
     }
-    const auto n = static_cast<Eigen::Index>(pairs_.size());
-    const auto forces = [&] {
-        Eigen::VectorXd all(n * Dim);
-        for (Eigen::Index c = 0; c < n; ++c) all.segment<Dim>(c * Dim) = force_[static_cast<std::size_t>(c)];
-        return all;
-    };
-    const Eigen::VectorXd made = W_ * forces();  // by the forces of the last iterate
-    for (Eigen::Index c = 0; c < n; ++c) u[static_cast<std::size_t>(c)] += made.segment<Dim>(c * Dim);
-    relax(u);
+    answer(std::move(u));
     system.addOfSolids(answer_ * forces(), dv);
+}
+
+template <int Dim>
+bool ContactForces<Dim>::strikes(const Points<Dim>& v) const {
+    double fastest = 0;
+    for (const auto& pair : pairs_)
+        for (const auto& [node, w] : pair.weight) fastest = std::max(fastest, v[node].norm());
+    return std::any_of(pairs_.begin(), pairs_.end(),
+                       [&](const auto& pair) { return pair.relative(v)[0] < slowest(pair) - 1e-10 * fastest; });
+}
+
+template <int Dim>
+void ContactForces<Dim>::stop(const MomentumSystem<Dim>& system, Points<Dim>& v) {
+    respond(system);
+    std::vector<Vec<Dim>> u;
+    for (const auto& pair : pairs_) u.push_back(pair.relative(v));
+    for (std::size_t c = 0; c < pairs_.size(); ++c) bound_[c] = slowest(pairs_[c]);
+    answer(std::move(u));
+    system.addOfSolids(answer_ * forces(), v);
 }
 
 #define PFEM_INSTANTIATE(D) template class ContactForces<D>;

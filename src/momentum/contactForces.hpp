@@ -25,9 +25,20 @@ public:
     /// Add to dv what the forces make of it. `end`: of the iterate before dv.
     void add(const MomentumSystem<Dim>& system, const Nodes<Dim>& end, Points<Dim>& dv);
 
+    /// Would a pair with the velocities v at the start of the step be closed before its middle, gap + dt/2 u_n < 0? The
+    /// bound b > 0 would let it enter. What has come near at last instants only strikes like this: a corner round
+    /// another, a body that a third one throws.
+    bool strikes(const Points<Dim>& v) const;
+    /// The inelastic impact that prevents it.
+    void stop(const MomentumSystem<Dim>& system, Points<Dim>& v);
+
 private:
+    /// The least velocity u_n at the start of the step.
+    double slowest(const ContactPair<Dim>& pair) const { return -2 * std::max(pair.gap, 0.0) / dt_; }
     void respond(const MomentumSystem<Dim>& system);
+    void answer(std::vector<Vec<Dim>> u);
     void relax(std::vector<Vec<Dim>>& u);
+    Eigen::VectorXd forces() const;  // L of all pairs
 
     std::vector<ContactPair<Dim>> pairs_;
     double dt_, friction_;

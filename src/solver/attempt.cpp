@@ -12,6 +12,7 @@
 #include "solver/fluidEnergy.hpp"
 #include "solver/invariants.hpp"
 #include "solver/remeshingRules.hpp"
+#include "solver/solidImpact.hpp"
 
 namespace pfem {
 
@@ -70,9 +71,10 @@ Motion<Dim> move(const Problem<Dim>& problem, const Problem<Dim>& within, const 
     MotionAccount<Dim> account(state);
     const double divTarget = volumeCorrection<Dim>(state, controls.continuity.volumeCorrectionTime, report.dt);
     const MidpointRule midpoint{report.dt, controls.timeIntegration.gamma};
-    auto result = fsiStep<Dim>({within, state.mesh, topology, constraints, state.nodes, midpoint, divTarget,
-                                images.empty() ? nullptr : &images},
-                               controls);
+    const Step<Dim> step{within,      state.mesh, topology,  constraints,
+                         state.nodes, midpoint,   divTarget, images.empty() ? nullptr : &images};
+    if (problem.contact.on) stopStruckSolids<Dim>(step, controls, constraints, state.nodes);
+    auto result = fsiStep<Dim>(step, controls);
     report.step = result.report;
     motion.wallsOld = state.nodes.wall;
     motion.returned = returnedVolume<Dim>(topology, state, report.dt * volumeReturnRate(controls.continuity, report.dt),

@@ -35,6 +35,7 @@ public:
     /// Conjugate gradients of all iterations together.
     int linearIterations() const { return linearIterations_; }
 
+    const MomentumSystem<Dim>& system() const { return system_; }
     const SolidBlock<Dim>& solidBlock() const { return system_.solid(); }
 
 private:

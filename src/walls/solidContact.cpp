@@ -41,9 +41,15 @@ std::vector<int> bodiesOfNodes(const Mesh<Dim>& mesh, int nNodes) {
 template <int Dim>
 struct Scene {
     std::vector<Obstacle<Dim>> obstacles;
-    std::vector<int> node;        // that may meet them
-    std::map<int, Vec<Dim>> own;  // outward normals of solids' nodes, means of their faces
-    std::vector<int> body;        // per node of the mesh
+    std::vector<int> node;                      // that may meet them
+    std::map<int, std::vector<int>> neighbour;  // of these, along their own surface
+    std::vector<int> body;                      // per node of the mesh
+
+    void addFace(const Face<Dim>& face, bool ofSolid) {
+        for (const int i : face)
+            for (const int j : face)
+                if (i != j && (body[i] >= 0) == ofSolid) neighbour[i].push_back(j);
+    }
 };
 
 template <int Dim>
@@ -54,25 +60,31 @@ Scene<Dim> sceneOf(const Mesh<Dim>& mesh, const Topology<Dim>& topology, const N
     for (const auto& wall : topology.walls) {
         if (wall.patch < 0 || topology.kinds[wall.patch] == PatchKind::skin) continue;
         scene.obstacles.push_back({wall.nodes, inwardNormal<Dim>(nodes.x, wall.nodes), wall.region, false});
+        scene.addFace(wall.nodes, false);
         regions = std::max(regions, wall.region + 1);
     }
     for (const auto& face : boundaryFaces<Dim>(mesh.solid.nodes, topology.solid)) {
-        const Vec<Dim> area = faceArea<Dim>(nodes.x, face.nodes);
-        scene.obstacles.push_back({face.nodes, area.normalized(), regions + scene.body[face.nodes[0]], true});
-        for (const int i : face.nodes) scene.own.emplace(i, Vec<Dim>::Zero()).first->second += area;
+        const Vec<Dim> normal = faceArea<Dim>(nodes.x, face.nodes).normalized();
+        scene.obstacles.push_back({face.nodes, normal, regions + scene.body[face.nodes[0]], true});
+        scene.addFace(face.nodes, true);
     }
-    for (const auto& [i, normal] : scene.own) scene.node.push_back(i);
-    for (int i = 0; i < topology.nNodes(); ++i)
-        if (topology.wallPoint[i] && !topology.onSolid[i]) scene.node.push_back(i);
+    for (const auto& [i, beside] : scene.neighbour)
+        if (scene.body[i] >= 0 || topology.wallPoint[i]) scene.node.push_back(i);
     return scene;
 }
 
-/// Does the face look at the node, and is it none of the node's own?
+/// Is the face none of the node's own, and does the node's own surface, wall or solid, go away from it on all sides?
+/// Otherwise something beside the node meets the face first: no point of a floor meets the side of what slides there.
 template <int Dim>
-bool mayMeet(const Scene<Dim>& scene, int i, const Obstacle<Dim>& obstacle) {
-    if (scene.body[i] < 0) return obstacle.solid;  // points of walls
-    return scene.own.at(i).dot(obstacle.normal) < 0 &&
-           std::find(obstacle.nodes.begin(), obstacle.nodes.end(), i) == obstacle.nodes.end();
+bool mayMeet(const Scene<Dim>& scene, const Points<Dim>& x, int i, const Obstacle<Dim>& obstacle) {
+    if (scene.body[i] < 0 && !obstacle.solid) return false;
+    if (std::find(obstacle.nodes.begin(), obstacle.nodes.end(), i) != obstacle.nodes.end()) return false;
+    const double back = -std::sin(featureAngle * M_PI / 180);  // surfaces that touch may be bent
+    const auto& beside = scene.neighbour.at(i);
+    return std::all_of(beside.begin(), beside.end(), [&](int j) {
+        const Vec<Dim> along = x[j] - x[i];
+        return along.dot(obstacle.normal) > back * along.norm();
+    });
 }
 
 /// Does the node lie behind a face of its own body since the beginning? Then the body is between them: near sharp edges
@@ -149,7 +161,7 @@ std::vector<ContactPair<Dim>> contactPairs(const Problem<Dim>& problem, const Me
         std::vector<std::pair<int, ContactPair<Dim>>> own;  // and their groups
         bins.forEachNear(nodes.x[i], farthest, [&](int k) {
             const Obstacle<Dim>& obstacle = scene.obstacles[k];
-            if (!mayMeet<Dim>(scene, i, obstacle)) return;
+            if (!mayMeet<Dim>(scene, nodes.x, i, obstacle)) return;
             const Vec<Dim> weights = footWeights<Dim>(nodes.x, obstacle.nodes, nodes.x[i]);
             if (weights.minCoeff() < -1) return;
             const double h = scene.body[i] >= 0 ? nodes.h[i] : nodes.h[obstacle.nodes[0]];

@@ -2,6 +2,7 @@
 // Where solids are about to touch walls and each other.
 
 #include "conditions/problem.hpp"
+#include "mesh/onFace.hpp"
 #include "mesh/simplex.hpp"
 
 namespace pfem {
@@ -20,20 +21,29 @@ struct ContactPair {
         for (const auto& [node, w] : weight) sum += w * v[node];
         return frame.transpose() * sum;
     }
-    /// The gap in other positions, also of a face that has turned.
-    double gapAt(const Points<Dim>& x) const {
-        Face<Dim> face{};
-        for (int k = 0; k < Dim; ++k) face[k] = weight[k + 1].first;
-        const Vec<Dim> normal = faceArea<Dim>(x, face).normalized();
-        const double distance = normal.dot(x[weight[0].first] - x[face[0]]);
-        return (normal.dot(frame.col(0)) < 0 ? -distance : distance) - kept;
+    /// The gap in other positions, also of a face that has turned, and how fast it grows there.
+    double gapAt(const Points<Dim>& x) const { return normalAt(x).dot(x[weight[0].first] - x[weight[1].first]) - kept; }
+    double rateAt(const Points<Dim>& x, const Points<Dim>& v) const {
+        const Vec<Dim> foot = footWeights<Dim>(x, face(), x[weight[0].first]);
+        return normalAt(x).dot(v[weight[0].first] - weighted<Dim>(v, face(), foot));
+    }
+
+private:
+    Face<Dim> face() const {
+        Face<Dim> nodes{};
+        for (int k = 0; k < Dim; ++k) nodes[k] = weight[k + 1].first;
+        return nodes;
+    }
+    Vec<Dim> normalAt(const Points<Dim>& x) const {
+        const Vec<Dim> normal = faceArea<Dim>(x, face()).normalized();
+        return normal.dot(frame.col(0)) < 0 ? Vec<Dim>(-normal) : normal;
     }
 };
 
 /// Pairs that could meet within the step dt: nodes at the surface of solids before faces of walls and of solids, points
 /// of walls before faces of solids. Of the faces of a smooth region of the walls, or of a body, that look the same way
-/// a node has a pair with the nearest alone; what has entered deeper than half of h belongs to another side. Surfaces
-/// meet only when they face each other.
+/// a node has a pair with the nearest alone; what has entered deeper than half of h belongs to another side. A node
+/// meets a face only where its own surface goes away from it on all sides.
 template <int Dim>
 std::vector<ContactPair<Dim>> contactPairs(const Problem<Dim>& problem, const Mesh<Dim>& mesh,
                                            const Topology<Dim>& topology, const Nodes<Dim>& nodes, double dt);

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
+#include "conditions/rigidBodies.hpp"
 #include "support/solids.hpp"
+#include "walls/solidContact.hpp"
 
 using namespace pfem;
 using namespace pfem::test;
@@ -66,6 +70,62 @@ TEST(Impacts, barsThatMeetEndToEndExchangeTheirVelocities) {
     EXPECT_LT(1 - fine.energy, 0.6 * (1 - coarse.energy));
     EXPECT_GT(fine.speed, 0.96);
     EXPECT_GT(free.energy, 0.99);
+}
+
+/// Six blocks in a closed box, 0.2 m wide, h 0.1 m.
+TestCase sixBlocks() {
+    std::string bodies;
+    for (int k = 0; k < 6; ++k) {
+        const double x = 0.15 + 0.3 * (k % 3), y = 0.2 + 0.35 * (k / 3);
+        bodies += "b" + std::to_string(k) + " { type solid; material stone; pattern checkerboard; cells (2 2); " +
+                  rectangle(x, y, x + 0.2, y + 0.2) + " }";
+    }
+    TestCase c = makeCase(
+        "meshSize 0.1; bodies (" + bodies + "); walls ( box { points ((0 0) (1.2 0) (1.2 0.9) (0 0.9) (0 0)); } );",
+        "stone { type rigid; rho 2000; }", "box { type slip; }", {0, 0});
+    c.problem.contact = {true, 0.3};
+    return c;
+}
+
+/// Bodies that have become slow get another velocity, whatever touches them.
+void kick(TestCase& c, std::mt19937& random) {
+    std::uniform_real_distribution<double> value(-3, 3);
+    for (const auto& body : rigidBodies<2>(c.problem, c.state.mesh, c.state.nodes)) {
+        const Twist<2> twist(value(random), value(random), 3 * value(random));
+        if (body.twist.norm() > 1) continue;
+        for (std::size_t k = 0; k < body.nodes.size(); ++k)
+            c.state.nodes.v[body.nodes[k]] = leverRows<2>(body.pose.lever(body.arm[k])) * twist;
+    }
+}
+
+/// Nodes that would enter a wall or a solid within the step.
+long struck(const TestCase& c, double dt) {
+    const auto pairs = contactPairs<2>(c.problem, c.state.mesh, c.topology(), c.state.nodes, dt);
+    return std::count_if(pairs.begin(), pairs.end(),
+                         [&](const auto& pair) { return pair.gap + dt * pair.relative(c.state.nodes.v)[0] < 0; });
+}
+
+TEST(Impacts, manyOfThemLetNothingIn) {
+    const long wanted = std::getenv("PFEM_LONG_TESTS") ? 100000 : 20000;
+    const double dt = 5e-3;
+    TestCase c = sixBlocks();
+    std::mt19937 random(3);
+    long impacts = 0;
+    double inWalls = 0, inSolids = 0;
+    int steps = 0, rejected = 0;
+    for (; impacts < wanted && steps < wanted; ++steps) {
+        kick(c, random);
+        impacts += struck(c, dt);
+        rejected += c.step(dt).rejected;
+        inWalls = std::max(inWalls, depthInWalls(c));
+        inSolids = std::max(inSolids, depthInSolids(c));
+    }
+    std::cout << impacts << " impacts in " << steps << " steps, " << rejected << " rejected, deepest in walls "
+              << inWalls << " h, in solids " << inSolids << " h\n";
+    EXPECT_GE(impacts, wanted);
+    EXPECT_LT(rejected, 0.002 * steps);
+    EXPECT_LT(inWalls, 1e-3);
+    EXPECT_LT(inSolids, 1e-3);
 }
 
 }  // namespace
