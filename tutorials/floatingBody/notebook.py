@@ -12,7 +12,7 @@ plt = pfem.pyplot()
 # %% how it moves: centre of rotation, centre of mass, angles, velocity, omega, three numbers each
 motion = case.table("motion", "barge.dat")
 values = motion.values.reshape(len(motion.time), -1)
-heave, roll = values[:, 4] / 0.015, 1 + values[:, 8] / 5
+heave, roll = values[:, 4] / 0.005, 1 + values[:, 8] / 5
 theory = np.genfromtxt("reference/potential_theory.csv", delimiter=",", comments="#")
 print(f"largest distance to potential theory in heave "
       f"{np.abs(heave - np.interp(motion.time, theory[:, 0], theory[:, 1])).max():.2f}, "

@@ -10,9 +10,9 @@ set xrange [0:1.6]
 set yrange [-1:1]
 set key top right
 
-set title "Heave over the first lift (15 mm)"
+set title "Heave over the first lift (5 mm)"
 plot "reference/potential_theory.csv" using 1:2 with lines lw 5 lc rgb "#bbccee" title "potential theory", \
-     "< pfemHistory -csv motion barge.dat" using 1:($6/0.015) with lines lw 1.5 lc rgb "black" title "this run"
+     "< pfemHistory -csv motion barge.dat" using 1:($6/0.005) with lines lw 1.5 lc rgb "black" title "this run"
 
 set title "Roll over the first roll (5 degrees)"
 plot "reference/potential_theory.csv" using 1:3 with lines lw 5 lc rgb "#bbccee" title "potential theory", \
