@@ -19,7 +19,8 @@ void expectOrthonormal(const Freedom<3>& f) {
 TEST(Freedom, leavesWhatIsOrthogonalToAllNormals) {
     const auto random = someVectors<3>(60, 4);
     for (int k = 0; k + 2 < 60; k += 3) {
-        const Vec<3> a = 5 * random[k], b = 0.1 * random[k + 1], u = random[k + 2];
+        const Vec<3> a = 5 * random[k], b = 0.1 * random[k + 1];
+        const Vec<3>& u = random[k + 2];
         const Freedom<3> plane = Freedom<3>().without(a), line = plane.without(b);
         ASSERT_EQ(plane.count, 2);
         ASSERT_EQ(line.count, 1);

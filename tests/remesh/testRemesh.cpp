@@ -85,7 +85,7 @@ TEST(Remesh, historyOfSolidCells) {
             ids.push_back({c.state.nodes.id[s[0]], c.state.nodes.id[s[1]], c.state.nodes.id[s[2]]});
         return ids;
     };
-    for (int e = 0; e < solid.size(); ++e) solid.sigma.push_back(Stress<2>(e + 0.1, -e, 0.3 * e, 1.0 / (e + 1)));
+    for (int e = 0; e < solid.size(); ++e) solid.sigma.emplace_back(e + 0.1, -e, 0.3 * e, 1.0 / (e + 1));
     const auto stress = solid.sigma;
     const auto material = solid.material;
     const auto before = corners();

@@ -87,7 +87,8 @@ private:
                                                      "#include \"controlDict\"",
                                                      "#remove rho",
                                                      "#{ code #}"};
-        static const std::string signs = "{}();\"$#/*[]\\|'\0\n\xff";
+        using namespace std::string_literals;
+        static const std::string signs = "{}();\"$#/*[]\\|'\0\n\xff"s;
         const auto all = words(text);
         if (all.empty()) return "x";
         const Word w = all[below(all.size())], v = all[below(all.size())];
