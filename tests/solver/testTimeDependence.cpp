@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support/cases.hpp"
 
 using namespace pfem;
@@ -20,7 +22,7 @@ TEST(Gravity, dependsOnTime) {
             readFunction1<Eigen::Vector3d>(Dictionary::parse("value polynomial (((3 -6 0) (1 1 1))); "), "value");
         c.tolerance(1e-12);
         c.start(dt);
-        const int steps = static_cast<int>(0.4 / dt + 0.5);
+        const int steps = static_cast<int>(std::lround(0.4 / dt));
         for (int n = 0; n < steps; ++n) c.step(dt);
         double error = 0;
         for (int i = 0; i < c.state.nodes.size(); ++i) {

@@ -53,7 +53,7 @@ class StateVector {
     static std::vector<Vec<2>> freeDirections(const NodeConstraints<2>& constraints, int i) {
         const Freedom<2>& freedom = constraints.freedom[i];
         std::vector<Vec<2>> directions;
-        for (int c = 0; c < freedom.count; ++c) directions.push_back(freedom.basis.col(c));
+        for (int c = 0; c < freedom.count; ++c) directions.emplace_back(freedom.basis.col(c));
         return directions;
     }
 
