@@ -89,7 +89,7 @@ std::vector<Quantity> compared(const std::vector<TwinCase>& twins, const std::st
     for (std::size_t k = 0; k < twins.size(); k += 2)
         histories.push_back({twins[k].h, readHistories(twins[k].root, function, file),
                              readHistories(twins[k + 1].root, function, file)});
-    std::vector<History> reference;
+    std::vector<ProbeHistory> reference;
     if (options.found("reference")) reference = readHistories(Case(options.get("reference")).root(), function, file);
     auto quantities = quantitiesOf(function, histories, reference, until);
     if (options.found("quantities")) {

@@ -11,8 +11,8 @@ namespace pfem {
 
 namespace {
 
-const Curve* find(const std::vector<History>& histories, const std::string& name) {
-    for (const History& history : histories)
+const Curve* find(const std::vector<ProbeHistory>& histories, const std::string& name) {
+    for (const ProbeHistory& history : histories)
         if (history.name == name) return &history.curve;
     return nullptr;
 }
@@ -37,9 +37,9 @@ std::vector<Curve> curvesOf(const std::vector<TwinHistories>& twins, const std::
 }  // namespace
 
 std::vector<Quantity> quantitiesOf(const std::string& function, const std::vector<TwinHistories>& twins,
-                                   const std::vector<History>& reference, std::optional<double> until) {
+                                   const std::vector<ProbeHistory>& reference, std::optional<double> until) {
     std::vector<Quantity> quantities;
-    for (const History& history : twins.front().nodal) {
+    for (const ProbeHistory& history : twins.front().nodal) {
         const auto curves = curvesOf(twins, history.name);
         if (curves.empty()) continue;
         Quantity q;

@@ -24,14 +24,14 @@ struct Quantity {
 /// reference.
 struct TwinHistories {
     double h = 0;
-    std::vector<History> nodal, elemental;
+    std::vector<ProbeHistory> nodal, elemental;
 };
 
 /// The quantities of the table that all twins have; those that never change (u_z in two dimensions) are left
 /// out. The times are those of the twins, and of the reference as far as it goes. `until`: leave out later
 /// times [s].
 std::vector<Quantity> quantitiesOf(const std::string& function, const std::vector<TwinHistories>& twins,
-                                   const std::vector<History>& reference, std::optional<double> until);
+                                   const std::vector<ProbeHistory>& reference, std::optional<double> until);
 
 /// <folder>/<name>.dat: Time lower upper width bracket estimate uncertainty [nodal_h elemental_h]...
 /// [reference], a row for each time; "-" for what is missing. Throws UserError.

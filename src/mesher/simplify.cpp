@@ -16,7 +16,7 @@ struct Line {
 };
 
 /// What a piece is for each of its outlines, seen along a line: outline, rim of a hole, direction, names of patches.
-using Sides = std::multiset<std::tuple<int, bool, bool, std::vector<std::string>>>;
+using SideKinds = std::multiset<std::tuple<int, bool, bool, std::vector<std::string>>>;
 
 class Simplifier {
 public:
@@ -48,8 +48,8 @@ public:
     }
 
 private:
-    Sides sidesOf(int piece, bool along) const {
-        Sides sides;
+    SideKinds sidesOf(int piece, bool along) const {
+        SideKinds sides;
         for (const auto& use : old_.pieces[piece].uses) {
             const bool body = use.outline < old_.nBodies && use.edge >= 0;
             sides.emplace(use.outline, use.edge < 0, use.forward == along,

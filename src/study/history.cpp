@@ -57,8 +57,8 @@ std::vector<std::string> components(std::size_t n) {
     return names;
 }
 
-std::vector<History> emptyHistories(const Rows& rows, const std::string& file) {
-    std::vector<History> histories;
+std::vector<ProbeHistory> emptyHistories(const Rows& rows, const std::string& file) {
+    std::vector<ProbeHistory> histories;
     const auto& first = rows.columns.front();
     for (std::size_t c = 1; c < first.size(); ++c) {
         std::string name = c < rows.titles.size() ? rows.titles[c] : fmt::format("{}_{}", file, c);
@@ -70,8 +70,8 @@ std::vector<History> emptyHistories(const Rows& rows, const std::string& file) {
 
 }  // namespace
 
-std::vector<History> readHistories(const fs::path& root, const std::string& function, const std::string& file) {
-    std::vector<History> histories;
+std::vector<ProbeHistory> readHistories(const fs::path& root, const std::string& function, const std::string& file) {
+    std::vector<ProbeHistory> histories;
     const fs::path place = root / "postProcessing" / function;
     for (const auto& start : startFolders(root, function)) {
         if (!fs::exists(place / start.name / file)) continue;
@@ -79,7 +79,7 @@ std::vector<History> readHistories(const fs::path& root, const std::string& func
         if (rows.columns.empty()) continue;
         if (histories.empty()) histories = emptyHistories(rows, file);
         const double from = rows.columns.front()[0][0];
-        for (History& history : histories)  // what an earlier run has written from here on is no longer true
+        for (ProbeHistory& history : histories)  // what an earlier run has written from here on is no longer true
             while (!history.curve.t.empty() && history.curve.t.back() >= from) {
                 history.curve.t.pop_back();
                 history.curve.y.pop_back();

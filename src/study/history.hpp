@@ -10,7 +10,7 @@
 namespace pfem {
 
 /// One number of a table over time: "D_x", "1_p" (second probe), "volume".
-struct History {
+struct ProbeHistory {
     std::string name;
     Curve curve;
 };
@@ -20,8 +20,8 @@ struct History {
 /// <field>_<component>, with the number of the probe in front where there are several; others by the title in
 /// the last comment. -1e+300 (a dry probe) is a missing sample. Throws UserError for a table without rows,
 /// and for what is not a number with file and line.
-std::vector<History> readHistories(const std::filesystem::path& root, const std::string& function,
-                                   const std::string& file);
+std::vector<ProbeHistory> readHistories(const std::filesystem::path& root, const std::string& function,
+                                        const std::string& file);
 
 /// The table files that a function has written, ascending. Throws UserError when there is none.
 std::vector<std::string> historyFiles(const std::filesystem::path& root, const std::string& function);
