@@ -20,9 +20,25 @@ class Build:
         self.libraries = [f for f in link[link.index('-o') + 2:] if not f.endswith('libpfem.a')]
         objects = built / 'src/CMakeFiles/pfem.dir'
         found = {p.relative_to(objects).with_suffix(''): p for p in objects.rglob('*.cpp.o')}
-        self.objects = {f: p for f, p in found.items() if (project / 'src' / f).exists()}  # no leftovers of older trees
+        self.unit = self.unitsOf(project, objects)
+        self.objects = {f: p for f, p in found.items()  # no leftovers of older trees
+                        if (project / 'src' / f).exists() and f not in self.unit}
+        self.objects |= {unit: objects / f'{unit}.o' for unit in set(self.unit.values())}
         self.built = built
-        self.changed = self.reached()
+        self.changed = {self.unit.get(f, f) for f in self.reached()}
+
+    def unitsOf(self, project, objects):
+        """Sources that are compiled together -> what they are compiled as, which the copy gets as well."""
+        units = {}
+        for unit in (objects / 'Unity').glob('*.cxx'):
+            if not pathlib.Path(f'{unit}.o').exists():
+                continue
+            text, target = unit.read_text(), self.copy / 'src' / unit.relative_to(objects)
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_text(text.replace(f'{project}/src', f'{self.copy}/src'))
+            for source in re.findall(r'^#include "(.*?[.]cpp)"', text, re.M):
+                units[pathlib.Path(source).relative_to(project / 'src')] = unit.relative_to(objects)
+        return units
 
     @staticmethod
     def commandOf(built, target):
@@ -45,7 +61,8 @@ class Build:
         return {f for f in found if f.suffix == '.cpp'}
 
     def changedSources(self):
-        return [self.copy / f for f in self.touched if f.endswith('.cpp')]
+        sources = [pathlib.Path(f).relative_to('src') for f in self.touched if f.endswith('.cpp')]
+        return [self.copy / 'src' / self.unit.get(f, f) for f in sources]
 
     def object(self, source, extra=()):
         """Compile a source; returns the object."""
