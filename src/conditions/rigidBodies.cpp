@@ -131,7 +131,8 @@ struct HeldMotions {
         body.twist.setZero();
         Twist<Dim> scaled = twist;
         scaled.template tail<nTwist<Dim> - Dim>() *= size;
-        if (n > 0) body.twist = body.free * (body.free.transpose() * scaled);
+        const Eigen::VectorXd kept = body.free.transpose() * scaled;
+        if (n > 0) body.twist = body.free * kept;
         body.twist.template tail<nTwist<Dim> - Dim>() /= size;
         body.free.template bottomRows<nTwist<Dim> - Dim>() /= size;
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/vectors.hpp"
 #include "functions/sensors.hpp"
 
 namespace pfem {
@@ -25,7 +26,7 @@ public:
 private:
     std::vector<double> corner(const Vec<Dim>& x) const {
         if (empty_) return {dry, dry, dry};
-        return {x[0], x[1], Dim == 3 ? x[Dim - 1] : 0.0};
+        return threeNumbers<Dim>(x);
     }
     bool empty_ = true;
     Vec<Dim> low_ = Vec<Dim>::Zero(), high_ = Vec<Dim>::Zero();

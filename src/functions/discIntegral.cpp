@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/vectors.hpp"
+
 namespace pfem {
 
 namespace {
-
-double cross(const Vec<2>& a, const Vec<2>& b) { return a[0] * b[1] - a[1] * b[0]; }
 
 /// The triangle (0 a b): area a x b / 2, moment area (a + b)/3.
 void addTriangle(const Vec<2>& a, const Vec<2>& b, AreaMoments& sum) {

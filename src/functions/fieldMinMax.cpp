@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/vectors.hpp"
 #include "functions/sampling.hpp"
 #include "mesh/topology.hpp"
 
@@ -52,9 +53,8 @@ void FieldMinMax<Dim>::start(const State<Dim>&) {
 template <int Dim>
 void FieldMinMax<Dim>::execute(const State<Dim>& state) {
     auto location = [&](int i) {
-        const auto& x = state.nodes.x[static_cast<std::size_t>(i)];
-        return fmt::format("({} {} {})", table_->number(x[0]), table_->number(x[1]),
-                           table_->number(Dim == 3 ? x[Dim - 1] : 0.0));
+        const auto x = inSpace<Dim>(state.nodes.x[static_cast<std::size_t>(i)]);
+        return fmt::format("({} {} {})", table_->number(x[0]), table_->number(x[1]), table_->number(x[2]));
     };
     for (const auto& field : fields_) {
         const auto member = nodesOf(state, field.region);

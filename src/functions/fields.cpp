@@ -1,15 +1,11 @@
 #include "functions/fields.hpp"
 
 #include "base/error.hpp"
+#include "base/vectors.hpp"
 
 namespace pfem {
 
 namespace {
-
-template <int Dim>
-std::vector<double> padded(const Vec<Dim>& v) {
-    return {v[0], v[1], Dim == 3 ? v[Dim - 1] : 0.0};
-}
 
 /// From xx yy zz xy (yz xz) to xx xy xz yy yz zz.
 template <int Dim>
@@ -24,9 +20,9 @@ template <int Dim>
 const std::vector<NodalField<Dim>>& allFields() {
     using N = const Nodes<Dim>&;
     static const std::vector<NodalField<Dim>> fields{
-        {"U", 3, Region::both, [](N n, int i) { return padded<Dim>(n.v[i]); }},
-        {"a", 3, Region::both, [](N n, int i) { return padded<Dim>(n.a[i]); }},
-        {"D", 3, Region::both, [](N n, int i) { return padded<Dim>(n.x[i] - n.X[i]); }},
+        {"U", 3, Region::both, [](N n, int i) { return threeNumbers<Dim>(n.v[i]); }},
+        {"a", 3, Region::both, [](N n, int i) { return threeNumbers<Dim>(n.a[i]); }},
+        {"D", 3, Region::both, [](N n, int i) { return threeNumbers<Dim>(n.x[i] - n.X[i]); }},
         {"p", 1, Region::fluid, [](N n, int i) { return std::vector<double>{n.p[i]}; }},
         {"sigma", 6, Region::solid, [](N n, int i) { return symmTensor<Dim>(n.sigma[i]); }},
         {"h", 1, Region::both, [](N n, int i) { return std::vector<double>{n.h[i]}; }},

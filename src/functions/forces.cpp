@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "base/vectors.hpp"
 #include "functions/balance.hpp"
 #include "functions/faceForce.hpp"
 #include "momentum/meniscus.hpp"
@@ -13,11 +14,6 @@
 namespace pfem {
 
 namespace {
-
-template <int Dim>
-Eigen::Vector3d spatial(const Vec<Dim>& v) {
-    return {v[0], v[1], Dim == 3 ? v[Dim - 1] : 0.0};
-}
 
 bool contains(const std::vector<int>& all, int value) { return std::find(all.begin(), all.end(), value) != all.end(); }
 
@@ -38,7 +34,7 @@ void addMeniscusOn(const Problem<Dim>& problem, const State<Dim>& state, const T
     for (int i = 0; i < nodes.size(); ++i)
         if (topology.interface(i) &&
             contains(materials, state.mesh.solid.material[topology.solid.cell[topology.solid.start[i]]]))
-            sum.add(spatial<Dim>(nodes.x[i]), spatial<Dim>(force[i]));
+            sum.add(inSpace<Dim>(nodes.x[i]), inSpace<Dim>(force[i]));
 }
 
 }  // namespace
@@ -53,9 +49,9 @@ FluidForce fluidForce(const Problem<Dim>& problemOfRun, const State<Dim>& state,
         if (!contains(patches, face.patch) && !contains(materials, face.solid)) continue;
         const auto force = faceForce<Dim>(problem, state, face);
         for (std::size_t i = 0; i < Dim; ++i) {
-            const Eigen::Vector3d x = spatial<Dim>(state.nodes.x[face.nodes[i]]);
-            sum.pressure.add(x, spatial<Dim>(force.pressure[i]));
-            sum.viscous.add(x, spatial<Dim>(force.viscous[i]));
+            const Eigen::Vector3d x = inSpace<Dim>(state.nodes.x[face.nodes[i]]);
+            sum.pressure.add(x, inSpace<Dim>(force.pressure[i]));
+            sum.viscous.add(x, inSpace<Dim>(force.viscous[i]));
         }
     }
     if (!materials.empty()) addMeniscusOn<Dim>(problem, state, topology, materials, sum.pressure);
@@ -72,7 +68,7 @@ ForceAndMoment reaction(const Problem<Dim>& problem, const Controls& controls, c
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     ForceAndMoment sum;
-    for (const int i : nodes) sum.add(spatial<Dim>(state.nodes.x[i]), spatial<Dim>(forces[i]));
+    for (const int i : nodes) sum.add(inSpace<Dim>(state.nodes.x[i]), inSpace<Dim>(forces[i]));
     return sum;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/vectors.hpp"
 #include "dictionary/function1.hpp"
 #include "functions/sensors.hpp"
 #include "mesh/components.hpp"
@@ -57,10 +58,7 @@ template <int Dim>
 void Front<Dim>::execute(const State<Dim>& state) {
     const auto front = readFront<Dim>(state, entries_.direction.template head<Dim>().normalized());
     std::vector<double> place{dry, dry, dry};
-    if (front) {
-        const auto& x = state.nodes.x[front->node];
-        place = {x[0], x[1], Dim == 3 ? x[Dim - 1] : 0.0};
-    }
+    if (front) place = threeNumbers<Dim>(state.nodes.x[front->node]);
     table_->row({table_->time(state.time.value), table_->number(front ? front->connected : dry),
                  table_->number(front ? front->any : dry), table_->tuple(place)});
 }

@@ -3,17 +3,13 @@
 #include <cmath>
 #include <map>
 
+#include "base/vectors.hpp"
 #include "conditions/rigidBodies.hpp"
 #include "solver/setup.hpp"
 
 namespace pfem {
 
 namespace {
-
-template <int Dim>
-std::vector<double> inSpace(const Vec<Dim>& v) {
-    return {v[0], v[1], Dim == 3 ? v[Dim - 1] : 0.0};
-}
 
 /// Angles about x, y, z, one after the other, in degrees.
 template <int Dim>
@@ -57,10 +53,10 @@ void RigidBodyState<Dim>::execute(const State<Dim>& state) {
         Table& table = tables_[b];
         const Vec<Dim> velocity = leverRows<Dim>(body.pose.lever(body.centre)) * body.twist;
         std::vector<double> omega{0, 0, body.twist[nTwist<Dim> - 1]};
-        if constexpr (Dim == 3) omega = inSpace<3>(body.twist.template tail<3>());
+        if constexpr (Dim == 3) omega = threeNumbers<3>(body.twist.template tail<3>());
         std::string line = table.time(state.time.value);
-        for (const auto& values : {inSpace<Dim>(body.pose.at), inSpace<Dim>(body.pose.place(body.centre)),
-                                   angles<Dim>(body.pose.turn), inSpace<Dim>(velocity), omega})
+        for (const auto& values : {threeNumbers<Dim>(body.pose.at), threeNumbers<Dim>(body.pose.place(body.centre)),
+                                   angles<Dim>(body.pose.turn), threeNumbers<Dim>(velocity), omega})
             line += "\t" + table.tuple(values);
         table.line(line);
     }

@@ -1,3 +1,4 @@
+#include "base/vectors.hpp"
 #include "mesher/constrainedDelaunay.hpp"
 #include "mesher/region.hpp"
 
@@ -6,8 +7,6 @@ namespace pfem {
 namespace {
 
 constexpr int sweeps = 30;
-
-double cross(const Vec<2>& a, const Vec<2>& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Centre of the circle through the triangle's corners.
 Vec<2> circumcentre(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c) {

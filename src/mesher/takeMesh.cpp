@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "base/vectors.hpp"
 #include "mesher/draft.hpp"
 #include "mesher/groupWalls.hpp"
 #include "mesher/meshFile.hpp"
@@ -13,8 +14,6 @@
 namespace pfem {
 
 namespace {
-
-double twiceArea(const Vec<2>& a, const Vec<2>& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// The file's triangles of the description's bodies, as a draft.
 class Taker {
@@ -105,7 +104,7 @@ private:
         for (const auto& t : file_.cells) {
             if (t.group != group) continue;
             std::array<int, 3> nodes = {node(t.nodes[0]), node(t.nodes[1]), node(t.nodes[2])};
-            double twice = twiceArea(draft_.x[nodes[1]] - draft_.x[nodes[0]], draft_.x[nodes[2]] - draft_.x[nodes[0]]);
+            double twice = cross(draft_.x[nodes[1]] - draft_.x[nodes[0]], draft_.x[nodes[2]] - draft_.x[nodes[0]]);
             if (twice < 0) std::swap(nodes[1], nodes[2]), twice = -twice;
             double longest = 0;
             for (int k = 0; k < 3; ++k) {

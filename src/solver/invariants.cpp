@@ -76,7 +76,7 @@ template <int Dim>
 Points<Dim> oldPositions(const State<Dim>& last, const State<Dim>& next) {
     const auto images = imagesOf<Dim>(last);
     const auto& [before, now] = std::tie(last.nodes, next.nodes);
-    std::vector<Points<Dim>> ofImages(images.nOwn);
+    std::vector<Points<Dim>> ofImages(images.empty() ? 0 : images.nOwn);
     for (int i = images.nOwn; i < before.size(); ++i) ofImages[images.master[i]].push_back(before.x[i]);
     Points<Dim> x = now.x;
     const int n = nOwnNodes<Dim>(next);
@@ -84,6 +84,7 @@ Points<Dim> oldPositions(const State<Dim>& last, const State<Dim>& next) {
         while (j < images.nOwn && before.id[j] < now.id[i]) ++j;
         if (j == images.nOwn || before.id[j] != now.id[i]) continue;
         x[i] = before.x[j];
+        if (images.empty()) continue;
         for (const Vec<Dim>& other : ofImages[j])
             if ((other - now.x[i]).norm() < (x[i] - now.x[i]).norm()) x[i] = other;
     }

@@ -1,6 +1,7 @@
 #include "state/unfolding.hpp"
 
 #include <cmath>
+#include <numeric>
 
 #include "base/error.hpp"
 #include "mesh/topology.hpp"
@@ -45,10 +46,10 @@ void takeNodes(const std::vector<int>& taken, State<Dim>& state) {
     state.nodes = state.nodes.taken(taken);
 }
 
-template <int Dim>
+/// 0 ... n - 1.
 std::vector<int> firstNodes(int n) {
     std::vector<int> list(n);
-    for (int i = 0; i < n; ++i) list[i] = i;
+    std::iota(list.begin(), list.end(), 0);
     return list;
 }
 
@@ -81,7 +82,7 @@ void setImages(const Sides<Dim>& sides, State<Dim>& state) {
     const double width = bandWidth * largestSize<Dim>(state.nodes);
     const auto kept = keptNodes<Dim>(state.mesh, state.nodes.size());
     const Nodes<Dim> before = state.nodes;
-    state.nodes = before.taken(firstNodes<Dim>(old.nOwn));
+    state.nodes = before.taken(firstNodes(old.nOwn));
     Nodes<Dim>& nodes = state.nodes;
     for (const auto& shift : shiftsOf<Dim>(period))
         for (int i = 0; i < old.nOwn; ++i) {
@@ -167,7 +168,7 @@ State<Dim> folded(State<Dim> state) {
             amounts[images.master[i]] += std::exchange(amounts[i], 0.0);
     }
     const auto used = nodesIn<Dim>(state.mesh.fluid.nodes, nodes.size());
-    auto taken = firstNodes<Dim>(images.nOwn);
+    auto taken = firstNodes(images.nOwn);
     for (int i = images.nOwn; i < nodes.size(); ++i)
         if (used[i]) taken.push_back(i);
     takeNodes<Dim>(taken, state);

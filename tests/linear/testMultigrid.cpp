@@ -31,7 +31,7 @@ Sample cube(int m, double light, double stiff) {
     for (int z = 0; z < m; ++z)
         for (int y = 0; y < m; ++y)
             for (int x = 0; x < m; ++x) {
-                sample.place.push_back({x, y, z});
+                sample.place.emplace_back(x, y, z);
                 auto& rows = lower[at(x, y, z)];
                 if (x + 1 < m) rows.push_back(at(x + 1, y, z));
                 if (y + 1 < m) rows.push_back(at(x, y + 1, z));
@@ -42,7 +42,7 @@ Sample cube(int m, double light, double stiff) {
     for (const int z : {0, m - 1})
         for (int y = 0; y < m; ++y)
             for (int x = 0; x < m; ++x) {
-                sample.place.push_back({x, y, z});
+                sample.place.emplace_back(x, y, z);
                 if (z > 0) continue;
                 if (x + 1 < m) lower[nP + at(x, y, 0)].push_back(nP + at(x + 1, y, 0));
                 if (y + 1 < m) lower[nP + at(x, y, 0)].push_back(nP + at(x, y + 1, 0));
@@ -155,7 +155,9 @@ TEST(Saddle, eliminatesDiagonalVelocities) {
     for (int i = 0; i < nP; ++i)
         for (int k = S.start[i]; k < S.start[i + 1]; ++k) {
             found(i, S.column[k]) += S.value[k];
-            if (k > S.start[i]) EXPECT_LT(S.column[k - 1], S.column[k]);
+            if (k > S.start[i]) {
+                EXPECT_LT(S.column[k - 1], S.column[k]);
+            }
         }
     EXPECT_LT((found - expected).norm(), 1e-13 * expected.norm());
 }

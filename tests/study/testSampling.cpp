@@ -72,8 +72,9 @@ TEST_F(Sampling, latinHypercubeIsStratified) {
         EXPECT_EQ(partsOfB.size(), static_cast<std::size_t>(n));
         EXPECT_EQ(*partsOfA.begin(), 0);
         EXPECT_EQ(*partsOfA.rbegin(), n - 1);
-        if (n % 3 == 0)
+        if (n % 3 == 0) {
             for (const char* word : {"x", "y", "z"}) EXPECT_EQ(words[word], n / 3);
+        }
     }
 }
 
