@@ -60,7 +60,10 @@ Points<3> someSplash(unsigned seed) {
     for (int n = size(300); n > 0; --n) x.emplace_back(2 * unit(random), unit(random), 0.7 + 1e-3 * unit(random));
     for (int n = size(20); n > 0; --n) x.emplace_back(3 * unit(random), 3 * unit(random), 3 * unit(random));
     if (seed % 3 == 0)
-        for (int i = 0; i < 7 * 6 * 5; ++i) x.emplace_back(1.25 + 0.25 * (i % 7), 0.25 * (i / 7 % 6), 0.25 * (i / 42));
+        for (int i = 0; i < 7 * 6 * 5; ++i) {
+            const int row = i / 7 % 6, layer = i / 42;
+            x.emplace_back(1.25 + 0.25 * (i % 7), 0.25 * row, 0.25 * layer);
+        }
     if (seed % 5 == 0)
         for (int n = size(200); n > 0; --n) x.emplace_back(unit(random), 0.6 * unit(random), 0.0);
     return x;

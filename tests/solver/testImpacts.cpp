@@ -76,7 +76,8 @@ TEST(Impacts, barsThatMeetEndToEndExchangeTheirVelocities) {
 TestCase sixBlocks() {
     std::string bodies;
     for (int k = 0; k < 6; ++k) {
-        const double x = 0.15 + 0.3 * (k % 3), y = 0.2 + 0.35 * (k / 3);
+        const int row = k / 3;
+        const double x = 0.15 + 0.3 * (k % 3), y = 0.2 + 0.35 * row;
         bodies += "b" + std::to_string(k) + " { type solid; material stone; pattern checkerboard; cells (2 2); " +
                   rectangle(x, y, x + 0.2, y + 0.2) + " }";
     }

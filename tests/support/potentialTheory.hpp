@@ -26,8 +26,8 @@ public:
         Points<2> bottom, wallUp, surfaceRight, body(section.rbegin(), section.rend()), surfaceLeft, wallDown;
         const int n = std::max(20, static_cast<int>(4 * halfWidth / depth));
         for (int k = 0; k <= n; ++k) bottom.emplace_back(halfWidth * (2.0 * k / n - 1), -depth);
-        for (auto y = down.rbegin(); y != down.rend(); ++y) wallUp.emplace_back(halfWidth, -*y);
-        for (auto x = right.rbegin(); x != right.rend(); ++x) surfaceRight.emplace_back(*x, 0);
+        for (const double y : std::vector(down.rbegin(), down.rend())) wallUp.emplace_back(halfWidth, -y);
+        for (const double x : std::vector(right.rbegin(), right.rend())) surfaceRight.emplace_back(x, 0);
         for (const double x : spaced(-left, halfWidth, size, growth)) surfaceLeft.emplace_back(-x, 0);
         for (const double y : down) wallDown.emplace_back(-halfWidth, -y);
         add(surfaceRight);
