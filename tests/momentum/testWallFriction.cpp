@@ -4,7 +4,7 @@
 
 #include "functions/storedEnergy.hpp"
 #include "momentum/wallFriction.hpp"
-#include "support/cases.hpp"
+#include "support/bothDimensions.hpp"
 
 using namespace pfem;
 using namespace pfem::test;
@@ -41,6 +41,20 @@ TEST(WallFriction, isTheStressTimesTheWettedLength) {
     EXPECT_NEAR(force[1], 0, 1e-12);
     for (auto& v : c.state.nodes.v) v = {-3, 0};  // the other way
     EXPECT_NEAR(total(frictionOf(c))[0], 0.5 * rho * cf * 9, 1e-9 * rho);
+}
+
+// Floor and sides of a box that water fills up to 0.2 m, each with the part of the velocity that is along it.
+TEST(WallFriction, inSpaceEachWallTakesWhatIsAlongIt) {
+    TestCase3 c = boxOfWater({0.4, 0.3, 0.2}, {0.4, 0.3, 0.4}, 0.1, "slip; friction 0.02");
+    c.state.nodes.v.assign(c.state.nodes.v.size(), Vec<3>(3, 1, -2));
+    const auto friction = [](const Vec<3>& u, double area) { return Vec<3>(-0.5 * rho * cf * u.norm() * area * u); };
+    const Vec<3> exact =
+        friction({3, 1, 0}, 0.4 * 0.3) + friction({3, 0, -2}, 2 * 0.4 * 0.2) + friction({0, 1, -2}, 2 * 0.3 * 0.2);
+    Points<3> force(c.state.nodes.size(), Vec<3>::Zero());
+    addWallFriction<3>(c.problem, c.state.mesh.fluid, c.topology(), c.state.nodes, force);
+    Vec<3> sum = Vec<3>::Zero();
+    for (const auto& f : force) sum += f;
+    EXPECT_LT((sum - exact).norm(), 1e-9 * rho);
 }
 
 TEST(WallFriction, countsVelocityRelativeToTheWall) {

@@ -4,6 +4,8 @@
 
 #include <numeric>
 
+#include "continuity/residual.hpp"
+#include "continuity/riderColumns.hpp"
 #include "functions/forces.hpp"
 #include "momentum/mass.hpp"
 #include "solver/beginStep.hpp"
@@ -182,12 +184,12 @@ TEST(SlipInterface, momentumIsHandedOver) {
     }
 }
 
-// In space: a cube of water's density in a box.
-TEST(SlipInterface, restIsExactInSpace) {
+/// In space: a cube of water's density in a box, the fluid's nodes shifted along its sides.
+TestCase3 immersedCube(const std::string& law) {
     const auto isIn = [](const Vec<3>& x) { return (x - Vec<3>(0.3, 0.3, 0.25)).cwiseAbs().maxCoeff() < 0.1; };
     TestCase3 c = onLattice(
         Vec<3>::Zero(), {0.6, 0.6, 0.5}, 0.1, [&](const Vec<3>& x) { return !isIn(x); }, isIn,
-        water + "body { type rigid; rho 1000; }");
+        water + "body { type " + law + "; }");
     c.state.mesh.patches.push_back(openBox(c.state, "tank", {0.6, 0.6, 1}));
     c.state.mesh.patches.push_back(solidPatch(c.state, "skin", [](const Vec<3>&) { return true; }));
     c.problem.conditions = readBoundaryConditions<3>(
@@ -195,16 +197,20 @@ TEST(SlipInterface, restIsExactInSpace) {
         c.state.mesh.patches);
     separateFromWalls<3>({true, false}, c.state);
     separateFromSkins<3>(c.kinds(), c.state);
-    const auto topology = c.topology();
-    ASSERT_GT(topology.rides.size(), 20u);
     std::mt19937 random(3);
     std::uniform_real_distribution<double> shift(-0.015, 0.015);
     auto& nodes = c.state.nodes;
-    for (const auto& ride : topology.rides) {
+    for (const auto& ride : c.topology().rides) {
         if (nSupports(nodes.wall[ride.node]) > 1) continue;
         const auto basis = basisAround<3>(inwardNormal<3>(nodes.x, ride.face));
         nodes.x[ride.node] += shift(random) * basis.col(0) + shift(random) * basis.col(1);
     }
+    return c;
+}
+
+TEST(SlipInterface, restIsExactInSpace) {
+    TestCase3 c = immersedCube("rigid; rho 1000");
+    ASSERT_GT(c.topology().rides.size(), 20u);
     c.tolerance(1e-8);
     c.start(0.01);
     for (int n = 0; n < 5; ++n) {
@@ -213,6 +219,124 @@ TEST(SlipInterface, restIsExactInSpace) {
     }
     std::cout << largest(c.state.nodes.v) << " m/s\n";
     EXPECT_LT(largest(c.state.nodes.v), 1e-10);
+}
+
+PFEM_BOTH_DIMENSIONS(Riders);
+
+/// A block under water, of an elastic or a rigid solid, and what a step begins with.
+template <int Dim>
+struct Immersed {
+    CaseOf<Dim> c;
+    StepStart<Dim> start;
+    SolidDofs<Dim> dofs;
+    Eigen::VectorXd U;  // some velocities of the solid's unknowns
+
+    explicit Immersed(const std::string& law) {
+        if constexpr (Dim == 2) {
+            c = immersed("body { type " + law + "; }");
+            shiftAlongSkin(c, 0.2);
+        } else {
+            c = immersedCube(law);
+        }
+        c.problem.gravity.setZero();
+        start = beginStep<Dim>(c.problem, 0.01, c.state);
+        dofs = solidDofs<Dim>(start.topology.solid, start.constraints);
+        const auto some = randomNumbers(dofs.n, 4);
+        U = Eigen::Map<const Eigen::VectorXd>(some.data(), dofs.n);
+    }
+    /// U at the solid's nodes, and what it carries along.
+    Points<Dim> velocities() const {
+        Points<Dim> v(c.state.nodes.size(), Vec<Dim>::Zero());
+        for (std::size_t l = 0; l < dofs.node.size(); ++l)
+            for (int k = 0; k < dofs.count[dofs.node[l]]; ++k)
+                v[dofs.node[l]] += U[dofs.first[dofs.node[l]] + k] * dofs.basis[l].col(k);
+        carryRiders<Dim>(start.constraints.riders, v);
+        return v;
+    }
+    /// Forces on the solid's unknowns.
+    Eigen::VectorXd gather(const Points<Dim>& force) const {
+        Eigen::VectorXd f = Eigen::VectorXd::Zero(dofs.n);
+        for (std::size_t l = 0; l < dofs.node.size(); ++l)
+            f.segment(dofs.first[dofs.node[l]], dofs.count[dofs.node[l]]) +=
+                dofs.basis[l].transpose() * force[dofs.node[l]];
+        return f;
+    }
+};
+
+const std::array<std::string, 2> immersedLaws{"hypoelastic; rho 1000; E 1e6; nu 0.3", "rigid; rho 1000"};
+
+// In the solid's matrix: the force, handed over, that the mass of the riders asks for when the solid carries them.
+TYPED_TEST(Riders, theirMassIsInTheSolidsMatrix) {
+    constexpr int Dim = TypeParam::value;
+    for (const auto& law : immersedLaws) {
+        const Immersed<Dim> s(law);
+        const auto& nodes = s.c.state.nodes;
+        const auto& riders = s.start.constraints.riders;
+        const auto numbers = randomNumbers(nodes.size(), 7);
+        Points<Dim> inertia;
+        for (const double m : numbers) inertia.push_back(Vec<Dim>::Constant(50 + 40 * m));
+        const auto domains = makeSmoothingDomains<Dim>(s.c.state.mesh.solid.nodes, s.start.topology.solid, nodes.x);
+        SolidBlock<Dim> block{s.dofs, {}};
+        block.matrix = solidMatrix<Dim>({s.c.problem, s.c.controls.solid, s.c.state.mesh.solid}, domains, s.dofs,
+                                        Points<Dim>(nodes.size(), Vec<Dim>::Zero()), nodes.h, MidpointRule{0.01});
+        const Eigen::VectorXd without = block.matrix.multiply(s.U);
+        addRiders<Dim>(riders, inertia, block);
+        const Eigen::VectorXd added = block.matrix.multiply(s.U) - without;
+        const Points<Dim> v = s.velocities();
+        Points<Dim> force(nodes.size(), Vec<Dim>::Zero());
+        for (const auto& rider : riders)
+            force[rider.ride.node] = inertia[rider.ride.node].cwiseProduct(v[rider.ride.node]);
+        handOver<Dim>(riders, force);
+        EXPECT_GT(added.norm(), 10) << law;
+        EXPECT_LT((added - s.gather(force)).norm(), 1e-10 * (added.norm() + without.norm())) << law;
+    }
+}
+
+// The columns of the pressure's matrix: the derivative of the continuity equation by the solid's unknowns.
+TYPED_TEST(Riders, columnsAreTheDerivativeOfTheContinuity) {
+    constexpr int Dim = TypeParam::value;
+    for (const auto& law : immersedLaws) {
+        const Immersed<Dim> s(law);
+        const auto& [topology, constraints] = s.start;
+        const auto& old = s.c.state.nodes;
+        const auto& cells = s.c.state.mesh.fluid;
+        const Step<Dim> step{s.c.problem, s.c.state.mesh, topology, constraints, old, {0.01}};
+        const FluidPhase<Dim> phase(s.c.problem, s.c.state.mesh, topology.fluid, old, Integration::nodal);
+        Nodes<Dim> end = old;
+        end.v = s.velocities();
+        end.p.assign(old.size(), 0.0);
+        Nodes<Dim> still = old;
+        still.p.assign(old.size(), 0.0);
+        const auto R =
+            continuityResidual<Dim>({s.c.problem, s.c.state.mesh, topology, constraints, still, {0.01}}, {}, phase,
+                                    {PerCell<double>(cells.size(), 0.0), PerCell<unsigned char>(cells.size(), 0)},
+                                    {end, end, {}, Vec<Dim>::Zero(), {}});
+        const RiderColumns<Dim> columns(step, s.dofs, old.x);
+        double most = 0;
+        for (int i = 0; i < old.size(); ++i) {
+            if (!topology.wet(i)) continue;
+            std::map<int, Vec<Dim>> B;  // of i and its neighbours
+            for (int slot = topology.fluid.start[i]; slot < topology.fluid.start[i + 1]; ++slot) {
+                const auto& cell = cells.nodes[topology.fluid.cell[slot]];
+                const auto g = simplexGeometry<Dim>(old.x, cell);
+                for (int k = 0; k <= Dim; ++k) {
+                    const auto place = B.emplace(cell[k], Vec<Dim>::Zero()).first;
+                    place->second += g.measure / (Dim + 1) * g.gradN[k];
+                }
+            }
+            std::vector<int> nodes;
+            std::vector<Vec<Dim>> values;
+            for (const auto& [node, value] : B) {
+                nodes.push_back(node);
+                values.push_back(value);
+            }
+            double sum = 0;
+            for (const auto& [unknown, value] : columns.entries(i, nodes, values)) sum += value * s.U[unknown];
+            EXPECT_NEAR(R[i], sum, 1e-13) << law << " " << i;
+            most = std::max(most, std::abs(sum));
+        }
+        EXPECT_GT(most, 1e-4);
+    }
 }
 
 }  // namespace
