@@ -9,6 +9,7 @@
 #include "functions/functionObject.hpp"
 #include "functions/line.hpp"
 #include "functions/massLedger.hpp"
+#include "functions/momentumBalance.hpp"
 #include "functions/pressureSensor.hpp"
 #include "functions/probes.hpp"
 #include "functions/rigidBodyState.hpp"
@@ -37,6 +38,7 @@ std::map<std::string, FunctionFactory<Dim>>& table() {
         {"front", make<Dim, Front<Dim>>},
         {"line", make<Dim, Line<Dim>>},
         {"massLedger", make<Dim, MassLedger<Dim>>},
+        {"momentumBalance", make<Dim, MomentumBalance<Dim>>},
         {"pressureSensor", make<Dim, PressureSensor<Dim>>},
         {"probes", make<Dim, Probes<Dim>>},
         {"rigidBodyState", make<Dim, RigidBodyState<Dim>>},

@@ -4,6 +4,7 @@
 #include "functions/front.hpp"
 #include "functions/line.hpp"
 #include "functions/massLedger.hpp"
+#include "functions/momentumBalance.hpp"
 #include "functions/pressureSensor.hpp"
 #include "functions/rowControl.hpp"
 #include "functions/surfaces.hpp"
@@ -57,6 +58,11 @@ std::vector<KeywordTable> functionKeywords() {
          "Fluid volume and mass, and what changed them: a column per cause, the volume that appeared by it." +
              causeList<VolumeCause>(),
          describeEntries<MassLedgerEntries>()},
+        {file, "momentumBalance",
+         "Momentum of the fluid between two planes, and what changes it: flow and pressure through both, walls, "
+         "gravity, "
+         "viscosity, and what the numerics lose.",
+         describeEntries<MomentumBalanceEntries>()},
         {file, "pressureSensor", "Mean pressure over a disc or segment on a wall or solid.",
          describeEntries<PressureSensorEntries>()},
         {file,
