@@ -55,7 +55,7 @@ CellTerms<Dim> cellTerms(const Step<Dim>& step, const FluidPhase<Dim>& phase, co
 template <int Dim>
 void subtractProjection(const SmoothingDomains<Dim>& domains, const NodeToCells& around, const PerCell<double>& tau,
                         const PerCell<unsigned char>& projected, PerCell<Vec<Dim>>& flux) {
-    Points<Dim> mean(domains.nNodes(), Vec<Dim>::Zero());
+    Points<Dim> mean(domains.nNodes(), Vec<Dim>::Zero());  // its share in a cell's mean
     parallelFor(domains.nNodes(), [&](int i) {
         double weight = 0;
         Vec<Dim> sum = Vec<Dim>::Zero();
@@ -65,12 +65,12 @@ void subtractProjection(const SmoothingDomains<Dim>& domains, const NodeToCells&
             weight += tau[e] * domains.element[e].measure;
             sum += flux[e];
         }
-        if (weight > 0) mean[i] = sum / weight;
+        if (weight > 0) mean[i] = sum / weight / (Dim + 1);
     });
     parallelFor(domains.nCells(), [&](int e) {
         if (!projected[e]) return;
         Vec<Dim> m = Vec<Dim>::Zero();
-        for (int node : domains.cell(e)) m += mean[node] / (Dim + 1);
+        for (int node : domains.cell(e)) m += mean[node];
         flux[e] -= tau[e] * domains.element[e].measure * m;
     });
 }

@@ -1,7 +1,6 @@
 #include "mesh/wallBins.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "mesh/distance.hpp"
 
@@ -9,41 +8,20 @@ namespace pfem {
 
 namespace {
 
+/// The walls that hold somebody.
 template <int Dim>
-struct Box {
-    Vec<Dim> low, high;
-};
-
-template <int Dim>
-Box<Dim> boxOf(const Face<Dim>& face, const Points<Dim>& x, const Points<Dim>& from) {
-    Box<Dim> box{x[face[0]], x[face[0]]};
-    for (const auto* points : {&x, &from})
-        for (const int node : face) {
-            box.low = box.low.cwiseMin((*points)[node]).eval();
-            box.high = box.high.cwiseMax((*points)[node]).eval();
-        }
-    return box;
+NumberedFaces<Dim> facesOf(const std::vector<WallFace<Dim>>& walls) {
+    NumberedFaces<Dim> faces;
+    for (int w = 0; w < static_cast<int>(walls.size()); ++w)
+        if (walls[w].patch >= 0) faces.emplace_back(w, walls[w].nodes);
+    return faces;
 }
 
 }  // namespace
 
 template <int Dim>
 WallBins<Dim>::WallBins(const std::vector<WallFace<Dim>>& walls, const Points<Dim>& x, const Points<Dim>& from)
-    : walls_(walls), x_(x) {
-    std::vector<std::pair<int, Box<Dim>>> boxes;
-    for (int w = 0; w < static_cast<int>(walls.size()); ++w)
-        if (walls[w].patch >= 0) boxes.emplace_back(w, boxOf<Dim>(walls[w].nodes, x, from));
-    if (boxes.empty()) return;
-    Box<Dim> all = boxes.front().second;
-    for (const auto& [w, box] : boxes) {
-        all.low = all.low.cwiseMin(box.low).eval();
-        all.high = all.high.cwiseMax(box.high).eval();
-    }
-    // a closed surface of n squares is (n/2Dim)^(1/(Dim-1)) of them wide
-    const double sides = static_cast<double>(boxes.size()) / (2 * Dim), wide = std::pow(sides, 1.0 / (Dim - 1));
-    bins_.emplace(all.low, all.high, (all.high - all.low).maxCoeff() / std::clamp(wide, 1.0, 100.0));
-    for (const auto& [w, box] : boxes) bins_->add(w, box.low, box.high);
-}
+    : walls_(walls), x_(x), bins_(facesOf<Dim>(walls), x, from) {}
 
 template <int Dim>
 Supports<Dim> WallBins<Dim>::supportsAt(const Vec<Dim>& point, double near) const {

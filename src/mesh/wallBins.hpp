@@ -1,10 +1,9 @@
 #pragma once
 // Which walls are at a place: found by bins, for walls with thousands of faces.
 
-#include <optional>
 #include <vector>
 
-#include "mesh/bins.hpp"
+#include "mesh/faceBins.hpp"
 #include "mesh/wallFaces.hpp"
 
 namespace pfem {
@@ -21,8 +20,7 @@ public:
     /// times.
     template <class F>
     void forEachNear(const Vec<Dim>& low, const Vec<Dim>& high, double radius, F&& f) const {
-        const Vec<Dim> slack = Vec<Dim>::Constant(radius);
-        if (bins_) bins_->parallelFor(low - slack, high + slack, f);
+        bins_.forEachNear(low, high, radius, f);
     }
 
     /// One face of each region that comes within `near` [m] of a point, the first; in the order of the faces.
@@ -31,7 +29,7 @@ public:
 private:
     const std::vector<WallFace<Dim>>& walls_;
     const Points<Dim>& x_;
-    std::optional<Bins<Dim>> bins_;  // none: no walls
+    FaceBins<Dim> bins_;
 };
 
 }  // namespace pfem

@@ -5,11 +5,13 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <tuple>
 #include <utility>
 
 #include "base/parallel.hpp"
 #include "mesh/distance.hpp"
+#include "mesh/passages.hpp"
 #include "mesh/simplex.hpp"
 #include "mesh/wallBins.hpp"
 #include "solver/failedStep.hpp"
@@ -48,28 +50,6 @@ void checkCells(const char* kind, const Nodes<Dim>& nodes, const std::vector<Sim
         idsOf<Dim>(nodes, cell));
 }
 
-/// Did a point pass through a face from its front (left) to its back while both moved? From where it would have landed
-/// (1e-9 h) to more than `slack` behind, and within the face on the way; one that stood on the face (and slides over
-/// its end) where it arrived.
-template <int Dim>
-bool crossed(const Face<Dim>& face, const Points<Dim>& faceOld, const Points<Dim>& faceNew, const Vec<Dim>& xOld,
-             const Vec<Dim>& xNew, double slack) {
-    const auto distance = [&](const Points<Dim>& x, const Vec<Dim>& point) {
-        return -faceArea<Dim>(x, face).normalized().dot(point - x[face[0]]);
-    };
-    const double before = distance(faceOld, xOld), after = distance(faceNew, xNew);
-    if (!(before > -1e-7 * slack && after < -slack))
-        return false;  // what came round an end was behind it, and did not land
-    const double part = before > slack ? before / (before - after) : 1;  // of the way
-    Points<Dim> then(Dim);
-    Face<Dim> all{};
-    for (int k = 0; k < Dim; ++k) {
-        all[k] = k;
-        then[k] = faceOld[face[k]] + part * (faceNew[face[k]] - faceOld[face[k]]);
-    }
-    return footWeights<Dim>(then, all, xOld + part * (xNew - xOld)).minCoeff() > 0;
-}
-
 /// Old positions of the nodes of `next` that exist in `last`; of the others, and of images, the new ones. Of a node
 /// that has gone through a periodic side, that of its image.
 template <int Dim>
@@ -91,24 +71,33 @@ Points<Dim> oldPositions(const State<Dim>& last, const State<Dim>& next) {
     return x;
 }
 
-/// Nodes that went through rigid walls. Faces of patches keep their corners, with other indices in `next`.
+/// Walls with the nodes of their faces as they are counted in `next`: faces of patches keep their corners.
+template <int Dim>
+std::vector<WallFace<Dim>> wallsIn(const Topology<Dim>& topology, const State<Dim>& next) {
+    std::vector<WallFace<Dim>> walls = topology.walls;
+    std::size_t w = 0;
+    for (const auto& patch : next.mesh.patches)
+        for (const auto& face : patch.faces) walls[w++].nodes = face;
+    return walls;
+}
+
+/// Nodes that went through rigid walls.
 template <int Dim>
 void checkWalls(const Topology<Dim>& topology, const Points<Dim>& xOld, const State<Dim>& next) {
     const auto held = keptNodes<Dim>(next.mesh, next.nodes.size());  // solids and corners go their own ways
-    std::vector<std::pair<Face<Dim>, const std::string*>> walls;     // and the names of their patches
-    std::size_t w = 0;
-    for (const auto& patch : next.mesh.patches)
-        for (const auto& face : patch.faces)
-            if (topology.walls[w++].patch >= 0) walls.emplace_back(face, &patch.name);
-    std::vector<const std::string*> through(next.nodes.id.size(), nullptr);
+    const auto walls = wallsIn<Dim>(topology, next);
+    NumberedFaces<Dim> faces;
+    for (int w = 0; w < static_cast<int>(walls.size()); ++w)
+        if (walls[w].patch >= 0) faces.emplace_back(w, walls[w].nodes);
+    const Passages<Dim> passages(std::move(faces), next.nodes.x, xOld);
+    PerNode<int> through(next.nodes.size(), -1);
     parallelFor(next.nodes.size(), [&](int i) {
         if (isSupported(next.nodes.wall[i]) || held[i]) return;
-        for (const auto& [face, name] : walls)
-            if (crossed<Dim>(face, xOld, next.nodes.x, xOld[i], next.nodes.x[i], 0.01 * next.nodes.h[i]))
-                through[i] = name;
+        through[i] = passages.through(xOld[i], next.nodes.x[i], 0.01 * next.nodes.h[i]);
     });
     for (int i = 0; i < next.nodes.size(); ++i)
-        if (through[i] != nullptr) fail<Dim>(next.nodes, i, "went through the wall '" + *through[i] + "'");
+        if (through[i] >= 0)
+            fail<Dim>(next.nodes, i, "went through the wall '" + next.mesh.patches[walls[through[i]].patch].name + "'");
 }
 
 /// Nodes of solids that have gone through walls: half of h behind the nearest face, in front of whose line they began.
@@ -118,14 +107,9 @@ void checkSolidsAtWalls(const Topology<Dim>& topology, const State<Dim>& next) {
     const auto depth = [&](const Face<Dim>& face, const Points<Dim>& x, int i) {
         return faceArea<Dim>(x, face).normalized().dot(x[i] - x[face[0]]);
     };
-    std::vector<WallFace<Dim>> walls = topology.walls;  // rigid ones, with the nodes as they are counted now
-    std::size_t w = 0;
-    for (const auto& patch : next.mesh.patches)
-        for (const auto& face : patch.faces) {
-            walls[w].nodes = face;
-            if (walls[w].patch >= 0 && topology.isSkin(static_cast<int>(w))) walls[w].patch = -1;
-            ++w;
-        }
+    auto walls = wallsIn<Dim>(topology, next);
+    for (int w = 0; w < static_cast<int>(walls.size()); ++w)
+        if (topology.isSkin(w)) walls[w].patch = -1;  // rigid ones
     const WallBins<Dim> places(walls, nodes.x);
     std::vector<unsigned char> seen(nodes.x.size(), 0);
     for (int e = 0; e < next.mesh.solid.size(); ++e)
@@ -152,6 +136,19 @@ void checkSolidsAtWalls(const Topology<Dim>& topology, const State<Dim>& next) {
         }
 }
 
+/// Faces of the solids' surfaces, the fluid's side in front.
+template <int Dim>
+NumberedFaces<Dim> frontsOfSolids(const State<Dim>& state) {
+    NumberedFaces<Dim> fronts;
+    const auto& cells = state.mesh.solid.nodes;
+    for (const auto& face : boundaryFaces<Dim>(cells, nodeToCells<Dim>(cells, state.nodes.size()))) {
+        Face<Dim> front = face.nodes;
+        std::swap(front[0], front[1]);
+        fronts.emplace_back(static_cast<int>(fronts.size()), front);
+    }
+    return fronts;
+}
+
 /// Nodes that went through a solid. Only one that moves farther than half of the solid's mesh size can do so unseen:
 /// what is inside a solid after a step has been put out again on the nearer side.
 template <int Dim>
@@ -166,18 +163,11 @@ void checkSolids(const Points<Dim>& xOld, const State<Dim>& next) {
             h = std::min(h, nodes.h[i]);
             solidMotion = std::max(solidMotion, (nodes.x[i] - xOld[i]).norm());
         }
-    std::vector<Face<Dim>> faces;
+    std::optional<Passages<Dim>> skin;
     for (int i = 0; i < nodes.size(); ++i) {
         if (onSolid[i] || (nodes.x[i] - xOld[i]).norm() + solidMotion < 0.5 * h) continue;
-        if (faces.empty())
-            for (const auto& face :
-                 boundaryFaces<Dim>(next.mesh.solid.nodes, nodeToCells<Dim>(next.mesh.solid.nodes, nodes.size()))) {
-                faces.push_back(face.nodes);  // the fluid's side is the front
-                std::swap(faces.back()[0], faces.back()[1]);
-            }
-        for (const auto& face : faces)
-            if (crossed<Dim>(face, xOld, nodes.x, xOld[i], nodes.x[i], 0.01 * h))
-                fail<Dim>(nodes, i, "went through a solid");
+        if (!skin) skin.emplace(frontsOfSolids<Dim>(next), nodes.x, xOld);
+        if (skin->through(xOld[i], nodes.x[i], 0.01 * h) >= 0) fail<Dim>(nodes, i, "went through a solid");
     }
 }
 
@@ -185,9 +175,9 @@ void checkSolids(const Points<Dim>& xOld, const State<Dim>& next) {
 /// outlets, a few cells may come or go, for the last ones of what runs dry change by much of themselves; but no more
 /// than the same part of the run's first volume.
 template <int Dim>
-double allowedChange(double part, const State<Dim>& state) {
+double allowedChange(double part, double now, const State<Dim>& state) {
     constexpr double fewCells = 4;
-    const double now = totalVolume<Dim>(state), first = now - state.ledger.sum();
+    const double first = now - state.ledger.sum();
     if (state.ledger[VolumeCause::outflow] >= 0 || first <= now) return part * now;
     double largest = 0;
     for (const auto& cell : state.mesh.fluid.nodes)
@@ -209,7 +199,7 @@ void checkInvariants(const ConvergenceControls& controls, const Topology<Dim>& t
     checkSolids<Dim>(xOld, next);
     const double before = totalVolume<Dim>(last), after = totalVolume<Dim>(next) - next.ledger.sum(CauseKind::passage) +
                                                           last.ledger.sum(CauseKind::passage);
-    if (std::abs(after - before) > allowedChange<Dim>(controls.maxVolumeChange, last))
+    if (std::abs(after - before) > allowedChange<Dim>(controls.maxVolumeChange, before, last))
         throw StepFailure(fmt::format("the fluid's volume changed from {:.6g} to {:.6g} in one step", before, after));
 }
 
