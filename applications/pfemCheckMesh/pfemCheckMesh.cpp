@@ -14,6 +14,7 @@
 #include "mesh/checkMesh.hpp"
 #include "mesh/simplex.hpp"
 #include "solver/setup.hpp"
+#include "solver/sharedPlaces.hpp"
 
 using namespace pfem;
 
@@ -71,18 +72,19 @@ bool printCheck(const State<Dim>& state, const MeshCheck<Dim>& check) {
 }
 
 template <int Dim>
-std::vector<PatchKind> patchKinds(const Case& theCase, const State<Dim>& state) {
-    if constexpr (Dim == 2) return readProblem<2>(theCase, state).conditions.kind;
+BoundaryConditions<Dim> patchConditions(const Case& theCase, const State<Dim>& state) {
+    if constexpr (Dim == 2) return readProblem<2>(theCase, state).conditions;
     const Dictionary conditions = Dictionary::read(theCase.constant("boundaryConditions"));
-    return readBoundaryConditions<Dim>(conditions, state.mesh.patches).kind;
+    return readBoundaryConditions<Dim>(conditions, state.mesh.patches);
 }
 
 template <int Dim>
 bool checkTime(const Case& theCase, const std::string& time) {
     const State<Dim> state = readState<Dim>(theCase.time(time));
-    const auto topology =
-        makeTopology<Dim>(state.mesh, patchKinds<Dim>(theCase, state), state.nodes.x, state.nodes.wall);
+    const auto conditions = patchConditions<Dim>(theCase, state);
+    const auto topology = makeTopology<Dim>(state.mesh, conditions.kind, state.nodes.x, state.nodes.wall);
     fmt::print("Time = {}\n\n", time);
+    fmt::print("{}", sharedPlacesText<Dim>(conditions, std::filesystem::exists(theCase.constant("contact")), state));
     return printCheck<Dim>(state, checkMesh<Dim>(state.mesh, topology, state.nodes.x, state.nodes.h));
 }
 

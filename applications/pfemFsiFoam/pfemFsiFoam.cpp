@@ -20,6 +20,7 @@
 #include "solver/log.hpp"
 #include "solver/recorder.hpp"
 #include "solver/setup.hpp"
+#include "solver/sharedPlaces.hpp"
 #include "solver/sharedRun.hpp"
 #include "solver/waveRate.hpp"
 #include "walls/skins.hpp"
@@ -51,6 +52,9 @@ Simulation<Dim> readSimulation(const Case& theCase, const TimeControl& clock) {
     checkState<Dim>(clock.startFolder(), simulation.state);
     simulation.problem = readProblem<Dim>(theCase, simulation.state);
     separateFromSkins<Dim>(simulation.problem.conditions.kind, simulation.state);
+    if (simulation.state.time.index == 0)
+        std::cout << sharedPlacesText<Dim>(simulation.problem.conditions, simulation.problem.contact.on,
+                                           simulation.state);
     simulation.controls = readControls(theCase);
     checkLaws<Dim>(simulation.problem, simulation.state.mesh, simulation.controls.integration);
     simulation.nextTime = [&clock](const TimeInfo& time, double dt) { return clock.advance(time, dt); };

@@ -19,6 +19,7 @@
 #include "mesher/space/readSpaceDict.hpp"
 #include "mesher/space/spaceReport.hpp"
 #include "solver/checkProblem.hpp"
+#include "solver/sharedPlaces.hpp"
 
 using namespace pfem;
 
@@ -56,6 +57,7 @@ void checkConditions(const Case& theCase, const State<Dim>& state) {
         const Dictionary dict = Dictionary::read(file);
         const auto conditions = readBoundaryConditions<Dim>(dict, state.mesh.patches);
         pfem::checkConditions<Dim>(dict, conditions, state);
+        std::cout << sharedPlacesText<Dim>(conditions, std::filesystem::exists(theCase.constant("contact")), state);
         warnUnused(dict, std::cerr);
     } catch (const UserError& error) {
         std::cerr << "--> PFEM Warning: pfemFsiFoam will refuse the conditions in " << toString(error.where()) << ": "

@@ -158,6 +158,11 @@ void holdByMaterial(const Rigid& law, HeldMotions<Dim>& held) {
     }
 }
 
+template <int Dim>
+bool alike(const RigidStep<Dim>& a, const RigidStep<Dim>& b) {
+    return a.rotation == b.rotation && a.from == b.from && a.to == b.to && a.velocity == b.velocity && a.spin == b.spin;
+}
+
 /// What patches hold: rows of the body's constraints, or a motion that it follows. Its nodes are free then.
 template <int Dim>
 void holdByPatches(const std::string& name, NodeConstraints<Dim>& constraints, HeldMotions<Dim>& held,
@@ -169,7 +174,8 @@ void holdByPatches(const std::string& name, NodeConstraints<Dim>& constraints, H
         if (freedom.all()) continue;
         if (constraints.isMoved(i)) {
             const auto& part = constraints.following[constraints.followed[i]].part[0];
-            if (freedom.any() || (motion >= 0 && motion != part.motion))
+            const auto& moves = constraints.motion;
+            if (freedom.any() || (motion >= 0 && !alike<Dim>(moves[motion], moves[part.motion])))
                 throw UserError(
                     "the rigid body of material '" + name +
                     "' is held by two patches that move: a clamped patch with 'motion' moves it as a whole");

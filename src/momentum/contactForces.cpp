@@ -1,5 +1,8 @@
 #include "momentum/contactForces.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 namespace pfem {
@@ -75,6 +78,23 @@ Eigen::VectorXd ContactForces<Dim>::forces() const {
     return all;
 }
 
+/// Of a pair whose sides are both held, by motions or at rest, neither gives way.
+template <int Dim>
+void ContactForces<Dim>::demandWay(const Nodes<Dim>& end) const {
+    for (std::size_t c = 0; c < pairs_.size(); ++c) {
+        const auto own = static_cast<Eigen::Index>(c * Dim);
+        if (W_(own, own) > 0) continue;
+        const int i = pairs_[c].weight[0].first;
+        const double gap = pairs_[c].gapAt(end.x), h = end.h[i];
+        if (gap > -0.01 * h || gap > pairs_[c].gap - 1e-6 * h) continue;
+        throw StepFailure(
+            fmt::format("node {} at ({:.6g}) is driven into what it meets, a wall or a solid: the patches that hold "
+                        "them move them together, and neither can give way. End the motion before they meet",
+                        end.id[i], fmt::join(end.x[i].data(), end.x[i].data() + Dim, " ")),
+            {end.id[i]});
+    }
+}
+
 template <int Dim>
 void ContactForces<Dim>::add(const MomentumSystem<Dim>& system, const Nodes<Dim>& end, Points<Dim>& dv) {
     if (!any()) return;
@@ -88,6 +108,7 @@ void ContactForces<Dim>::add(const MomentumSystem<Dim>& system, const Nodes<Dim>
         bound_[c] = 0.5 * u[c][0] - (pair.gapAt(end.x) - slowly) / dt_;
         u[c] += pair.relative(dv);
     }
+    demandWay(end);
     answer(std::move(u));
     system.addOfSolids(answer_ * forces(), dv);
 }

@@ -22,7 +22,8 @@ public:
 
     bool any() const { return !pairs_.empty(); }
 
-    /// Add to dv what the forces make of it. `end`: of the iterate before dv.
+    /// Add to dv what the forces make of it. `end`: of the iterate before dv. Throws StepFailure where what is held
+    /// on both sides is driven together.
     void add(const MomentumSystem<Dim>& system, const Nodes<Dim>& end, Points<Dim>& dv);
 
     /// Would a pair with the velocities v at the start of the step be closed before its middle, gap + dt/2 u_n < 0? The
@@ -39,6 +40,7 @@ private:
     void answer(std::vector<Vec<Dim>> u);
     void relax(std::vector<Vec<Dim>>& u);
     Eigen::VectorXd forces() const;  // L of all pairs
+    void demandWay(const Nodes<Dim>& end) const;
 
     std::vector<ContactPair<Dim>> pairs_;
     double dt_, friction_;

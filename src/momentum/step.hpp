@@ -5,6 +5,7 @@
 #include "conditions/problem.hpp"
 #include "integration/midpointRule.hpp"
 #include "state/images.hpp"
+#include "walls/solidContact.hpp"
 
 namespace pfem {
 
@@ -19,6 +20,7 @@ struct Step {
     MidpointRule midpoint;
     double divTarget = 0;                 // wanted divergence of the fluid [1/s], 0 without volume correction
     const Images<Dim>* images = nullptr;  // beyond periodic sides; null: there are none
+    const std::vector<ContactPair<Dim>>* contacts = nullptr;  // that solids may make; null: none
 
     /// Images get what their masters have.
     template <class Value>

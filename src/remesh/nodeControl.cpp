@@ -161,10 +161,20 @@ private:
                 if (own(j) < i || locked_[own(i)] || locked_[own(j)]) continue;
                 if (distanceTo(j, moved_.x[i], h_[i]) < controls_.insertDistance) continue;
                 if (kept_[i] && kept_[j] && isBoundaryEdge(i, j)) continue;
-                if (wouldGoAgain(i, j)) continue;
+                if (closesGap(i, j) || wouldGoAgain(i, j)) continue;
                 plan_.inserted.push_back({i, j});  // i has the lower master
                 locked_[own(i)] = locked_[own(j)] = 1;
             }
+    }
+
+    /// From a wall to a solid that touches it, over what is left of the fluid between them: it goes, and the edge
+    /// becomes a face on the wall. A node in its middle would be on no wall, and the cell between the three without
+    /// area.
+    bool closesGap(int i, int j) const {
+        const auto& t = moved_.topology;
+        if (t.onSolid[i] == t.onSolid[j] || !isSupported(t.supports[i]) || isBoundaryEdge(i, j)) return false;
+        return std::any_of(t.supports[i].begin(), t.supports[i].end(),
+                           [&](int wall) { return wall >= 0 && t.supportOn(j, wall) >= 0; });
     }
 
     /// Would the midpoint be too close to a node opposite to the edge, or too low under the surface? Then the next

@@ -38,6 +38,21 @@ Supports<Dim> supportsOf(const Topology<Dim>& topology, std::array<int, 2> edge)
     return supports;
 }
 
+/// Where a point of an edge belongs that lies on a wall, perhaps with one end round a convex edge of it: on the nearer
+/// one, for beyond the other's end another node may be.
+template <int Dim>
+WallPlace<Dim> placeBeside(const Topology<Dim>& topology, const Points<Dim>& x, std::array<int, 2> edge, int wall,
+                           const Vec<Dim>& point) {
+    auto place = placeOnRegion<Dim>(topology.walls, x, wall, point);
+    for (const int end : edge)
+        for (const int other : topology.supports[end]) {
+            if (other < 0 || !topology.joined(wall, other)) continue;
+            const auto there = placeOnRegion<Dim>(topology.walls, x, other, point);
+            if ((there.x - point).norm() < (place.x - point).norm()) place = there;
+        }
+    return place;
+}
+
 /// Midpoint of an edge with the mean of its ends; on a wall when the edge lies on it.
 template <int Dim>
 void insertNode(const Nodes<Dim>& old, int i, int j, const Topology<Dim>& topology, State<Dim>& state) {
@@ -47,7 +62,7 @@ void insertNode(const Nodes<Dim>& old, int i, int j, const Topology<Dim>& topolo
     nodes.wall.back() = supportsOf<Dim>(topology, {i, j});
     for (int& wall : nodes.wall.back()) {
         if (wall < 0) continue;
-        const auto place = placeOnRegion<Dim>(topology.walls, old.x, wall, nodes.x.back());
+        const auto place = placeBeside<Dim>(topology, old.x, {i, j}, wall, nodes.x.back());
         wall = place.face;
         nodes.x.back() = place.x;
     }

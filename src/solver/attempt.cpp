@@ -71,9 +71,12 @@ Motion<Dim> move(const Problem<Dim>& problem, const Problem<Dim>& within, const 
     MotionAccount<Dim> account(state);
     const double divTarget = volumeCorrection<Dim>(state, controls.continuity.volumeCorrectionTime, report.dt);
     const MidpointRule midpoint{report.dt, controls.timeIntegration.gamma};
+    const auto nearby = [&] { return contactPairs<Dim>(within, state.mesh, topology, state.nodes, report.dt); };
+    auto contacts = nearby();
     const Step<Dim> step{within,      state.mesh, topology,  constraints,
-                         state.nodes, midpoint,   divTarget, images.empty() ? nullptr : &images};
-    if (problem.contact.on) stopStruckSolids<Dim>(step, controls, constraints, state.nodes);
+                         state.nodes, midpoint,   divTarget, images.empty() ? nullptr : &images,
+                         &contacts};
+    if (stopStruckSolids<Dim>(step, controls, constraints, state.nodes)) contacts = nearby();
     auto result = fsiStep<Dim>(step, controls);
     report.step = result.report;
     motion.wallsOld = state.nodes.wall;

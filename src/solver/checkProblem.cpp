@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <map>
-#include <sstream>
 
 #include "dictionary/flatEntries.hpp"
-#include "dictionary/print.hpp"
 #include "integration/stressPoints.hpp"
 #include "io/uniformTime.hpp"
 #include "material/rigid.hpp"
 #include "mesh/simplex.hpp"
+#include "solver/checkMotions.hpp"
 #include "solver/checkWaves.hpp"
 
 namespace pfem {
@@ -58,37 +57,8 @@ std::vector<PatchRole> patchRoles(const State<Dim>& state) {
     return roles;
 }
 
-/// The text of a patch's motion, empty without.
-std::string motionText(const Dictionary& entry) {
-    if (!entry.found("motion")) return "";
-    std::ostringstream text;
-    print(text, entry.subDict("motion"));
-    return text.str();
-}
-
 /// Nothing is denser in g/cm3, or in units with smaller numbers; in kg/m3 all liquids are.
 constexpr double densest = 25;
-
-/// Where patches that hold their nodes meet, they must move alike: a node cannot follow both.
-template <int Dim>
-void checkMotions(const Dictionary& dict, const BoundaryConditions<Dim>& conditions, const Mesh<Dim>& mesh) {
-    if (!conditions.anyMotion()) return;
-    std::map<int, std::size_t> patchOf;
-    for (std::size_t k = 0; k < mesh.patches.size(); ++k) {
-        if (!conditions.type[k]->mayMove) continue;
-        for (const auto& face : mesh.patches[k].faces)
-            for (int node : face) {
-                const std::size_t other = patchOf.emplace(node, k).first->second;
-                const std::string &name = mesh.patches[k].name, &otherName = mesh.patches[other].name;
-                if (motionText(dict.subDict(name)) == motionText(dict.subDict(otherName))) continue;
-                const std::string& moving = conditions.motion[k] ? name : otherName;
-                dict.subDict(moving).fatal(
-                    "motion", "'" + name + "' and '" + otherName +
-                                  "' have a common corner but do not move alike. A wall that leaves other walls needs "
-                                  "the entry 'moving true;' in system/meshDict; then run pfemMesh again");
-            }
-    }
-}
 
 }  // namespace
 
@@ -125,7 +95,7 @@ void checkConditions(const Dictionary& dict, const BoundaryConditions<Dim>& cond
                                     "' is not on a solid alone: in space a plane of symmetry of the fluid is a wall "
                                     "(walls in system/meshDict) of type slip");
     }
-    checkMotions<Dim>(dict, conditions, state.mesh);
+    checkMotions<Dim>(dict, conditions, state);
 }
 
 template <int Dim>

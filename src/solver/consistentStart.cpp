@@ -28,10 +28,12 @@ Nodes<Dim> consistentStart(Problem<Dim> problem, const Controls& asGiven, const 
     double t = 0;  // walls that accelerate go on doing so
     const auto over = [&](const Controls& with, const NodeConstraints<Dim>& constraints, const Nodes<Dim>& from,
                           double dt) {
+        const auto contacts = contactPairs<Dim>(problem, state.mesh, topology, from, dt);
         const Step<Dim> step{problem,  state.mesh,
                              topology, constraints,
                              from,     {dt, with.timeIntegration.gamma},
-                             0,        images.empty() ? nullptr : &images};
+                             0,        images.empty() ? nullptr : &images,
+                             &contacts};
         return fsiStep<Dim>(step, with).nodes;
     };
     const auto step = [&](const Nodes<Dim>& from) {

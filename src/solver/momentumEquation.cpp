@@ -35,7 +35,7 @@ MomentumEquation<Dim>::MomentumEquation(const Step<Dim>& step, const Controls& c
       stiffness_(surfaceStiffness<Dim>(step.problem, step.mesh.fluid, step.topology, step.old.x, step.midpoint)),
       mass_(nodalMass<Dim>(fluid, solid)),
       system_(makeSystem(controls)),
-      contact_(contactPairs<Dim>(step.problem, step.mesh, step.topology, step.old, step.dt()), step.dt(),
+      contact_(step.contacts ? *step.contacts : std::vector<ContactPair<Dim>>(), step.dt(),
                step.problem.contact.friction) {
     addInternalForce<Dim>(solid.domains, solid.elementStress, solidForceOld_);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "solver/convergence.hpp"
 #include "state/unseenPart.hpp"
@@ -25,6 +26,20 @@ template <int Dim>
 double farthest(const Points<Dim>& x) {
     double most = 0;
     for (const auto& point : x) most = std::max(most, point.cwiseAbs().maxCoeff());
+    return most;
+}
+
+/// The largest acceleration that pressure or stress of one node alone would make, p/(rho h) [m/s2].
+template <int Dim>
+double largestPush(const Step<Dim>& step) {
+    const auto& [problem, nodes] = std::tie(step.problem, step.old);
+    double most = 0;
+    const auto look = [&](const Cells<Dim>& cells, const auto& push) {
+        for (int e = 0; e < cells.size(); ++e)
+            for (const int i : cells.nodes[e]) most = std::max(most, push(cells.material[e], i) / nodes.h[i]);
+    };
+    look(step.mesh.fluid, [&](int m, int i) { return std::abs(nodes.p[i]) / problem.fluid(m).rho; });
+    look(step.mesh.solid, [&](int m, int i) { return nodes.sigma[i].norm() / problem.solid(m).rho; });
     return most;
 }
 
@@ -53,7 +68,9 @@ double roundOffSpeed(const Step<Dim>& step) {
                      stiffness = material.elastic.lambda() + 2 * material.elastic.mu();
         part = std::max(part, stiffness / material.rho * std::pow(step.dt() / h, 2));
     }
-    return std::min(part, 1.0) * 4e-16 * farthest<Dim>(step.old.x) / step.dt();
+    constexpr double roundOff = 4e-16;
+    return std::min(part, 1.0) * roundOff * farthest<Dim>(step.old.x) / step.dt() +
+           roundOff * step.dt() * largestPush<Dim>(step);
 }
 
 template <int Dim>

@@ -15,8 +15,9 @@ double meanSize(const Nodes<Dim>& nodes);
 template <int Dim>
 double unseenSpeed(const Step<Dim>& step);
 
-/// A speed that no tolerance can ask for: stress that follows from positions (hyperelastic solids) has their round-off
-/// times the stiffness, and what that moves within the step is noise, at most the round-off itself [m/s].
+/// A speed that no tolerance can ask for: the round-off of pressures and stresses that balance each other, and stress
+/// that follows from positions (hyperelastic solids) has their round-off times the stiffness, and what that moves
+/// within the step is noise, at most the round-off itself [m/s].
 template <int Dim>
 double roundOffSpeed(const Step<Dim>& step);
 

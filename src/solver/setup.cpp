@@ -5,6 +5,7 @@
 
 #include "conditions/periodic.hpp"
 #include "dictionary/dimensions.hpp"
+#include "solver/checkMotions.hpp"
 #include "solver/checkOpenings.hpp"
 #include "solver/checkPeriodic.hpp"
 #include "solver/checkProblem.hpp"
@@ -66,6 +67,7 @@ Problem<Dim> readProblem(const Case& theCase, const State<Dim>& state, std::ostr
     const Dictionary conditions = Dictionary::read(theCase.constant("boundaryConditions"));
     problem.conditions = readBoundaryConditions<Dim>(conditions, mesh.patches);
     checkConditions<Dim>(conditions, problem.conditions, state);
+    checkRigidMotions<Dim>(conditions, problem, state);
     checkOpenings<Dim>(conditions, problem, state);
     const auto contactFile = theCase.constant("contact");
     const Dictionary contact = std::filesystem::exists(contactFile) ? Dictionary::read(contactFile) : Dictionary();

@@ -21,20 +21,21 @@ Twist<Dim> twistOf(const RigidBody<Dim>& body, const Points<Dim>& v) {
 }  // namespace
 
 template <int Dim>
-void stopStruckSolids(const Step<Dim>& step, const Controls& controls, NodeConstraints<Dim>& constraints,
+bool stopStruckSolids(const Step<Dim>& step, const Controls& controls, NodeConstraints<Dim>& constraints,
                       Nodes<Dim>& nodes) {
-    ContactForces<Dim> contact(contactPairs<Dim>(step.problem, step.mesh, step.topology, nodes, step.dt()), step.dt(),
-                               0);
-    if (!contact.strikes(nodes.v)) return;
+    if (!step.contacts || step.contacts->empty()) return false;
+    ContactForces<Dim> contact(*step.contacts, step.dt(), 0);
+    if (!contact.strikes(nodes.v)) return false;
     const Integration scheme = controls.integration.scheme();
     const FluidPhase<Dim> fluid(step.problem, step.mesh, step.topology.fluid, nodes, scheme);
     const SolidPhase<Dim> solid(step.problem, controls.solid, step.mesh, step.topology.solid, nodes, scheme);
     const MomentumEquation<Dim> momentum(step, controls, fluid, solid);
     contact.stop(momentum.system(), nodes.v);
     for (auto& body : constraints.bodies) body.twist = twistOf<Dim>(body, nodes.v);
+    return true;
 }
 
-template void stopStruckSolids<2>(const Step<2>&, const Controls&, NodeConstraints<2>&, Nodes<2>&);
-template void stopStruckSolids<3>(const Step<3>&, const Controls&, NodeConstraints<3>&, Nodes<3>&);
+template bool stopStruckSolids<2>(const Step<2>&, const Controls&, NodeConstraints<2>&, Nodes<2>&);
+template bool stopStruckSolids<3>(const Step<3>&, const Controls&, NodeConstraints<3>&, Nodes<3>&);
 
 }  // namespace pfem

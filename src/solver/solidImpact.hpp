@@ -8,9 +8,9 @@ namespace pfem {
 
 /// Solids that touch and approach each other stop: an inelastic impact without friction that lasts no time, after which
 /// no pair closes before the middle of the step (ContactForces::strikes). `step`: that begins; constraints, nodes: its
-/// own, whose twists and velocities change. Nothing happens without a contact that strikes.
+/// own, whose twists and velocities change. False, and nothing happens, without a contact that strikes.
 template <int Dim>
-void stopStruckSolids(const Step<Dim>& step, const Controls& controls, NodeConstraints<Dim>& constraints,
+bool stopStruckSolids(const Step<Dim>& step, const Controls& controls, NodeConstraints<Dim>& constraints,
                       Nodes<Dim>& nodes);
 
 }  // namespace pfem

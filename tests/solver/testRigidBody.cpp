@@ -219,6 +219,18 @@ TEST_P(Floats, inTheDraftOfArchimedes) {
     EXPECT_LE(most, 12);
 }
 
+// However near to nothing a tolerance asks for: what pressures that balance leave is round-off.
+TEST(RigidBody, aFloatAtRestConvergesWithAnyTolerance) {
+    for (const double tolerance : {1e-8, 1e-10, 1e-12}) {
+        TestCase c = floating(500, 0.5, 0.025);
+        c.tolerance(tolerance, 60);
+        const int most = mostIterations(c, 50, 2e-3);
+        std::cout << "tolerance " << tolerance << ": iterations " << most << ", twist " << bodyOf<2>(c).twist.norm()
+                  << "\n";
+        EXPECT_LE(most, 20);
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(densities, Floats, testing::Values(100, 300, 500, 700, 900));
 
 /// Iterations of the steps of dt, none rejected, in ascending order.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/solids.hpp"
+#include "walls/skins.hpp"
 
 using namespace pfem;
 using namespace pfem::test;
@@ -101,6 +102,59 @@ TEST(SolidContact, aSolidMeetsTheFloor) {
         const std::string text = failure.what();
         EXPECT_NE(text.find("solid 'rubber' went through the wall 'tank'"), std::string::npos) << text;
     }
+}
+
+/// A block of iron in a tank that it sinks in, turned by `angle`.
+TestCase sinking(double angle, double x, double y, const std::string& law, const std::string& skin) {
+    std::string vertices;
+    for (const Vec<2>& corner :
+         {Vec<2>(-0.05, -0.025), Vec<2>(0.05, -0.025), Vec<2>(0.05, 0.025), Vec<2>(-0.05, 0.025)}) {
+        const Vec<2> p = Vec<2>(x, y) + Eigen::Rotation2Dd(angle) * corner;
+        vertices += point(p[0], p[1]);
+    }
+    TestCase c = makeCase("meshSize 0.02; bodies ( water { type fluid; material water; " + rectangle(0, 0, 0.4, 0.3) +
+                              " holes (block); } block { type solid; material iron; vertices (" + vertices +
+                              "); patches { skin { edges ((0 1) (1 2) (2 3) (3 0)); } } } ); walls ( tank { points ((0 "
+                              "0.6) (0 0) (0.4 0) (0.4 0.6)); } );",
+                          water + "iron { rho 3000; " + law + " }", "tank { type slip; } skin { " + skin + " }");
+    separateFromSkins<2>(c.kinds(), c.state);
+    c.problem.contact = {true, 0.3};
+    return c;
+}
+
+// The water under it gets out, whether it sticks to the block or slides over it. (The edge from a corner that has come
+// down to a node of the floor used to be divided where the last triangle between them had just gone: 3 of 10 ended so.)
+TEST(SolidContact, whatSinksComesToLieOnTheFloor) {
+    const std::string rigid = "type rigid;", elastic = "type hypoelastic; E 1e7; nu 0.3;";
+    for (const std::string skin : {"type traction; traction (0 0 0);", "type slipInterface;"})
+        for (const auto& [angle, law] : {std::pair(0.0, rigid), {0.0145, rigid}, {-0.33, rigid}, {0.2, elastic}}) {
+            TestCase c = sinking(angle, 0.2, 0.14, law, skin);
+            c.start(1e-3);
+            int steps = 0, rejected = 0;
+            double deepest = 1;
+            for (; c.state.time.value < 1; ++steps) {
+                const auto rate = courantRate<2>(c.state);
+                rejected +=
+                    c.step(1 / std::max({250.0, rate.largest / 0.4, rate.relative / 0.2, rate.compression / 0.7}))
+                        .rejected;
+                for (const int i : nodesOf(c, "iron")) deepest = std::min(deepest, c.state.nodes.x[i][1]);
+            }
+            double highest = 0, lowest = 1;
+            for (const int i : nodesOf(c, "iron")) {
+                highest = std::max(highest, c.state.nodes.x[i][1]);
+                lowest = std::min(lowest, c.state.nodes.x[i][1]);
+            }
+            const double speed = meanOf(c, c.state.nodes.v, "iron").norm();
+            std::cout << skin << " turned by " << angle << ", " << law << " " << steps << " steps, " << rejected
+                      << " rejected, from " << lowest << " to " << highest << " m, " << speed << " m/s, deepest "
+                      << deepest << " m, volume " << 100 * c.ledgerSum() / 0.115 << " %\n";
+            EXPECT_NEAR(lowest, 0, 1e-4);
+            EXPECT_NEAR(highest, 0.05, 2e-4);
+            EXPECT_LT(speed, law == rigid ? 1e-10 : 0.01);  // an elastic one swings on
+            EXPECT_GT(deepest, -1e-3 * 0.02);
+            EXPECT_LT(rejected, 0.05 * steps);
+            EXPECT_LT(std::abs(c.ledgerSum()), 0.005 * 0.115);
+        }
 }
 
 // The wedge of the water entry, in a basin so shallow that it strikes its bottom.
