@@ -6,7 +6,7 @@
 #include "base/parallel.hpp"
 #include "continuity/riderColumns.hpp"
 #include "continuity/stabilisation.hpp"
-#include "linear/multigrid.hpp"
+#include "linear/multigridSolver.hpp"
 #include "linear/solvers.hpp"
 #include "momentum/surfaceStiffness.hpp"
 
@@ -232,11 +232,16 @@ void addCells(const Parts<Dim>& parts, SymmetricMatrix& A) {
     }
 }
 
+/// 1/c of the solids' matrix -A/c. Without compliance the block stays, decoupled: a tiny number instead of zero.
+template <int Dim>
+double solidScale(const Step<Dim>& step, const ContinuityControls& controls) {
+    return step.gamma() / std::max(controls.complianceScale, 1e-12);
+}
+
 /// -A/c of the solids.
 template <int Dim>
 void addSolid(const Parts<Dim>& parts, SymmetricMatrix& A) {
-    // without compliance the solid block stays, decoupled: divide by a tiny number instead of zero
-    const double scale = parts.step.gamma() / std::max(parts.controls.complianceScale, 1e-12);
+    const double scale = solidScale<Dim>(parts.step, parts.controls);
     const SymmetricMatrix& solid = parts.solid.matrix;
     const int first = parts.u.nPressure;
     for (int j = 0; j < solid.n; ++j)
@@ -301,11 +306,13 @@ bool byMultigrid(const ContinuityControls& controls, int nPressures) {
     return Dim == 3 && nPressures > large && hasMultigrid();
 }
 
+/// `elastic`: for the block of the solids.
 template <int Dim>
 std::unique_ptr<SymmetricSolver> makeSolver(const ContinuityControls& controls, const SymmetricMatrix& A,
-                                            Places<Dim> place, const SaddleSizes& sizes) {
+                                            Places<Dim> place, const SaddleSizes& sizes, ElasticInverse elastic) {
     if (byMultigrid<Dim>(controls, sizes.nPressures))
-        return multigridSolver<Dim>(A, place, sizes, controls.solverTolerance, controls.ranks);
+        return std::make_unique<MultigridSolver>(sizes, std::move(elastic), controls.solverTolerance,
+                                                 rankRows<Dim>(controls.ranks, place, sizes.nPressures));
     const auto precision = controls.factorPrecision == "double" ? Precision::twofold : Precision::single;
     return dissectedSolver<Dim>(A, std::move(place), precision);
 }
@@ -321,6 +328,7 @@ ContinuitySystem<Dim>::ContinuitySystem(const Step<Dim>& step, const ContinuityC
     unknown_ = u.pressure;
     nOwn_ = step.images ? step.images->nOwn : step.topology.nNodes();
     n_ = u.n;
+    nPressures_ = u.nPressure;
     if (n_ == 0) return;
 
     const RiderColumns<Dim> riders(step, solid.dofs, x);
@@ -334,7 +342,8 @@ ContinuitySystem<Dim>::ContinuitySystem(const Step<Dim>& step, const ContinuityC
     addSolid<Dim>(of, A);
     if (!strong) addFreeSurface<Dim>(of, x, A);
 
-    solver_ = makeSolver<Dim>(controls, A, placesOfUnknowns<Dim>(step, x, u, solid.dofs), {u.nPressure, u.nSolid});
+    solver_ = makeSolver<Dim>(controls, A, placesOfUnknowns<Dim>(step, x, u, solid.dofs), {u.nPressure, u.nSolid},
+                              {solid.factor, solidScale<Dim>(step, controls)});
     solver_->analyse(A);
     solver_->factor(A);
 }
@@ -343,10 +352,10 @@ template <int Dim>
 std::vector<double> ContinuitySystem<Dim>::solve(const std::vector<double>& residual) const {
     std::vector<double> dp(residual.size(), 0.0);
     if (n_ == 0) return dp;
-    Eigen::VectorXd rhs = Eigen::VectorXd::Zero(n_);
+    Eigen::VectorXd rhs = Eigen::VectorXd::Zero(nPressures_);
     for (int i = 0; i < nOwn_; ++i)
         if (unknown_[i] >= 0) rhs[unknown_[i]] = -residual[i];
-    const Eigen::VectorXd solution = solver_->solve(rhs);
+    const Eigen::VectorXd solution = solver_->solveFirst(rhs, n_);
     for (std::size_t i = 0; i < residual.size(); ++i)
         if (unknown_[i] >= 0) dp[i] = solution[unknown_[i]];
     return dp;

@@ -36,7 +36,7 @@ public:
     bool hasUnknown(int node) const { return unknown_[node] >= 0; }
 
 private:
-    int n_ = 0;
+    int n_ = 0, nPressures_ = 0;
     int nOwn_ = 0;              // nodes that are no images
     std::vector<int> unknown_;  // per node: its pressure unknown or -1
     std::unique_ptr<SymmetricSolver> solver_;

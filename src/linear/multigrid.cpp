@@ -1,10 +1,14 @@
 #include "linear/multigrid.hpp"
 
+#include <dlfcn.h>
+#include <omp.h>
 #include <petscksp.h>
 
 #include <algorithm>
+#include <future>
 
 #include "base/error.hpp"
+#include "linear/threadedMatrix.hpp"
 
 namespace pfem {
 
@@ -14,11 +18,19 @@ void check(PetscErrorCode code, const char* what) {
     if (code != 0) throw StepFailure(std::string("multigrid: PETSc fails in ") + what);
 }
 
+/// BLAS sums by one thread: else the bits would depend on the number of threads (OpenBLAS, from 10 000 numbers on).
+void keepBlasSerial() {
+    const auto setThreads = reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads"));
+    if (setThreads) setThreads(1);
+}
+
 /// PETSc (and MPI below it) is started when it is needed first and ends with the program. It reads no options of the
 /// user's and leaves signals alone: they stop a run in good order.
 void startPetsc(bool isShared) {
     static const struct Session {
         explicit Session(bool byRanks) {
+            keepBlasSerial();
+            PETSC_MPI_THREAD_REQUIRED = MPI_THREAD_SERIALIZED;  // levels are made by a thread of their own
             PetscOptionsSetValue(nullptr, "-no_signal_handler", "true");
             check(PetscInitializeNoArguments(), "its start");
             PetscPushErrorHandler(PetscReturnErrorHandler, nullptr);
@@ -109,6 +121,7 @@ struct Multigrid::Petsc {
     WholeOperator whole{{}, shares};
     ::Mat A = nullptr, shell = nullptr;
     KSP ksp = nullptr;
+    std::future<void> levels;  // that are being made
 
     explicit Petsc(RankRows rowsOfRanks) : shares(std::move(rowsOfRanks)) {}
     Petsc(const Petsc&) = delete;
@@ -118,11 +131,20 @@ struct Multigrid::Petsc {
         KSPDestroy(&ksp);
     }
     void clear() {
+        levels = {};  // waits for them
         if (ksp) KSPReset(ksp);
         MatDestroy(&A);
         MatDestroy(&shell);
     }
     MPI_Comm communicator() const { return shares.ranks.isAlone() ? PETSC_COMM_SELF : PETSC_COMM_WORLD; }
+    /// One process: with kernels that use threads.
+    void makeLevels() {
+        check(KSPSetUp(ksp), "the levels");
+        if (!shares.ranks.isAlone()) return;
+        PC pc = nullptr;
+        KSPGetPC(ksp, &pc);
+        cycleByThreads(pc);
+    }
     /// A of all unknowns becomes PETSc's matrix of own rows.
     void makeMatrix(SparseRows all) {
         const PetscInt n = all.n();
@@ -163,18 +185,24 @@ void Multigrid::setUp(SparseRows A, Operator apply) {
     const PetscInt n = A.n(), nRows = p.shares.ranks.isAlone() ? n : p.shares.nRows();
     p.makeMatrix(std::move(A));
     MatSetOption(p.A, MAT_SPD, PETSC_TRUE);
+    if (p.shares.ranks.isAlone()) multiplyByThreads(p.A);
     if (p.whole.apply) {
         check(MatCreateShell(p.communicator(), nRows, nRows, n, n, &p.whole, &p.shell), "an operator");
         MatShellSetOperation(p.shell, MATOP_MULT, reinterpret_cast<void (*)()>(applyOperator));
         MatSetOption(p.shell, MAT_SPD, PETSC_TRUE);
     }
     check(KSPSetOperators(p.ksp, p.shell ? p.shell : p.A, p.A), "the operators");
-    check(KSPSetUp(p.ksp), "the levels");
+    const bool beside = p.shares.ranks.isAlone() && omp_get_max_threads() > 1;
+    p.levels = std::async(beside ? std::launch::async : std::launch::deferred, [&p, beside] {
+        if (beside) omp_set_num_threads(1);  // of this thread
+        p.makeLevels();
+    });
 }
 
 Eigen::VectorXd Multigrid::solve(const Eigen::VectorXd& b) const {
     Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
     if (b.size() == 0 || b.isZero(0)) return x;
+    if (petsc_->levels.valid()) petsc_->levels.get();
     const RankRows& rows = petsc_->shares;
     const bool isAlone = rows.ranks.isAlone();
     const Eigen::VectorXd ownB = isAlone ? Eigen::VectorXd() : rows.own(b);

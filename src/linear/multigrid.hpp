@@ -23,6 +23,7 @@ public:
     ~Multigrid();
 
     /// The levels for `A`, rows with ascending columns. `apply`: the operator that is solved with them, if it is not A.
+    /// Where there are several threads, one of their own makes them beside what comes next, until the first solution.
     void setUp(SparseRows A, Operator apply = {});
 
     /// Throws StepFailure when the iteration does not converge.

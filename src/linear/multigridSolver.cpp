@@ -2,23 +2,23 @@
 
 namespace pfem {
 
-MultigridSolver::MultigridSolver(SaddleSizes sizes, std::unique_ptr<SymmetricSolver> elastic, double tolerance,
-                                 RankRows rows)
+Eigen::VectorXd ElasticInverse::operator()(const Eigen::VectorXd& f) const {
+    if (f.isZero(0)) return f;
+    return factor->solve(f) / scale;
+}
+
+MultigridSolver::MultigridSolver(SaddleSizes sizes, ElasticInverse elastic, double tolerance, RankRows rows)
     : sizes_(sizes), elastic_(std::move(elastic)), multigrid_(tolerance, std::move(rows)) {}
 
-void MultigridSolver::analyse(const SymmetricMatrix& A) {
-    if (sizes_.nElastic > 0) elastic_->analyse(elasticBlock(A, sizes_));
-}
+void MultigridSolver::analyse(const SymmetricMatrix&) {}
 
 void MultigridSolver::factor(const SymmetricMatrix& A) {
     saddle_ = split(A, sizes_);
     Multigrid::Operator apply;
-    if (sizes_.nElastic > 0) {
-        elastic_->factor(elasticBlock(A, sizes_));
+    if (sizes_.nElastic > 0)
         apply = [this](const Eigen::VectorXd& p) -> Eigen::VectorXd {
             return multiply(saddle_.K, p) + multiply(saddle_.B, inverseM(multiply(saddle_.Bt, p)));
         };
-    }
     multigrid_.setUp(eliminateDiagonal(saddle_), std::move(apply));
 }
 
@@ -26,7 +26,7 @@ Eigen::VectorXd MultigridSolver::inverseM(const Eigen::VectorXd& velocities) con
     const int nElastic = sizes_.nElastic;
     Eigen::VectorXd x = velocities.cwiseProduct(
         Eigen::Map<const Eigen::VectorXd>(saddle_.inverse.data(), static_cast<Eigen::Index>(saddle_.inverse.size())));
-    if (nElastic > 0) x.head(nElastic) = elastic_->solve(velocities.head(nElastic));
+    if (nElastic > 0) x.head(nElastic) = elastic_(velocities.head(nElastic));
     return x;
 }
 
@@ -37,6 +37,10 @@ Eigen::VectorXd MultigridSolver::solve(const Eigen::VectorXd& b) const {
     x.head(nP) = multigrid_.solve(b.head(nP) + multiply(saddle_.B, inverseM(given)));
     x.tail(b.size() - nP) = inverseM(multiply(saddle_.Bt, x.head(nP)) - given);
     return x;
+}
+
+Eigen::VectorXd MultigridSolver::solveFirst(const Eigen::VectorXd& b, int n) const {
+    return b.size() == sizes_.nPressures ? multigrid_.solve(b) : SymmetricSolver::solveFirst(b, n);
 }
 
 }  // namespace pfem

@@ -91,21 +91,6 @@ Saddle split(const SymmetricMatrix& A, const SaddleSizes& sizes) {
     return saddle;
 }
 
-SymmetricMatrix elasticBlock(const SymmetricMatrix& A, const SaddleSizes& sizes) {
-    const int first = sizes.nPressures;
-    SymmetricMatrix M;
-    M.n = sizes.nElastic;
-    M.start.assign(1, 0);
-    for (int j = first; j < first + M.n; ++j) {
-        for (int s = A.start[j]; s < A.start[j + 1]; ++s) {
-            M.row.push_back(A.row[s] - first);
-            M.value.push_back(-A.value[s]);
-        }
-        M.start.push_back(static_cast<int>(M.row.size()));
-    }
-    return M;
-}
-
 SparseRows eliminateDiagonal(const Saddle& saddle) {
     constexpr int block = 512;
     const int n = saddle.K.n(), nBlocks = (n + block - 1) / block;

@@ -32,9 +32,6 @@ struct Saddle {
 
 Saddle split(const SymmetricMatrix& A, const SaddleSizes& sizes);
 
-/// M of the elastic velocities.
-SymmetricMatrix elasticBlock(const SymmetricMatrix& A, const SaddleSizes& sizes);
-
 /// K + B diag(M)^{-1} B^T, columns ascending: what is left of a matrix without elastic velocities, an estimate with
 /// them.
 SparseRows eliminateDiagonal(const Saddle& saddle);

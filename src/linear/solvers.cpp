@@ -6,7 +6,6 @@
 #include "base/parallel.hpp"
 #include "linear/dissectedLdlt.hpp"
 #include "linear/ldlt.hpp"
-#include "linear/multigridSolver.hpp"
 
 namespace pfem {
 
@@ -46,26 +45,12 @@ template <int Dim>
 std::unique_ptr<SymmetricSolver> elasticSolver(const SymmetricMatrix& A, Places<Dim> place) {
     constexpr int large = 3000;
     if (Dim == 2 && A.n < large) return std::make_unique<Ldlt>();
-    return dissectedSolver<Dim>(A, std::move(place), Precision::twofold);
-}
-
-template <int Dim>
-std::unique_ptr<SymmetricSolver> multigridSolver(const SymmetricMatrix& A, const Places<Dim>& place,
-                                                 const SaddleSizes& sizes, double tolerance, const Ranks& ranks) {
-    std::unique_ptr<SymmetricSolver> elastic;
-    if (sizes.nElastic > 0) {
-        const auto first = place.begin() + sizes.nPressures;
-        elastic = elasticSolver<Dim>(elasticBlock(A, sizes), Places<Dim>(first, first + sizes.nElastic));
-    }
-    return std::make_unique<MultigridSolver>(sizes, std::move(elastic), tolerance,
-                                             rankRows<Dim>(ranks, place, sizes.nPressures));
+    return dissectedSolver<Dim>(A, std::move(place), Dim == 2 ? Precision::twofold : Precision::single);
 }
 
 #define PFEM_INSTANTIATE(D)                                                                                     \
     template std::unique_ptr<SymmetricSolver> dissectedSolver<D>(const SymmetricMatrix&, Places<D>, Precision); \
-    template std::unique_ptr<SymmetricSolver> elasticSolver<D>(const SymmetricMatrix&, Places<D>);              \
-    template std::unique_ptr<SymmetricSolver> multigridSolver<D>(const SymmetricMatrix&, const Places<D>&,      \
-                                                                 const SaddleSizes&, double, const Ranks&);
+    template std::unique_ptr<SymmetricSolver> elasticSolver<D>(const SymmetricMatrix&, Places<D>);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

@@ -4,9 +4,7 @@
 #include <memory>
 
 #include "linear/nestedDissection.hpp"
-#include "linear/saddle.hpp"
 #include "linear/symmetricSolver.hpp"
-#include "parallel/ranks.hpp"
 
 namespace pfem {
 
@@ -16,15 +14,10 @@ enum class Precision { single, twofold };  // in which a factor is kept; it is c
 template <int Dim>
 std::unique_ptr<SymmetricSolver> dissectedSolver(const SymmetricMatrix& A, Places<Dim> place, Precision precision);
 
-/// The same in double precision for large matrices and for tetrahedra, whose factors have many entries; for small ones
-/// of the plane a simplicial factor (CHOLMOD).
+/// The same for the velocities of solids: in double precision for large matrices of the plane, for small ones a
+/// simplicial factor (CHOLMOD); in single precision for tetrahedra, where solutions wait for the many entries of the
+/// factor. It shapes the iteration alone.
 template <int Dim>
 std::unique_ptr<SymmetricSolver> elasticSolver(const SymmetricMatrix& A, Places<Dim> place);
-
-/// The same as `dissectedSolver` for [K B; B^T -M], by multigrid for the pressures, whose rows `ranks` share; `place`
-/// of all unknowns.
-template <int Dim>
-std::unique_ptr<SymmetricSolver> multigridSolver(const SymmetricMatrix& A, const Places<Dim>& place,
-                                                 const SaddleSizes& sizes, double tolerance, const Ranks& ranks = {});
 
 }  // namespace pfem

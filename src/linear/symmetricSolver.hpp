@@ -23,6 +23,13 @@ public:
     /// x of the factored A x = b.
     virtual Eigen::VectorXd solve(const Eigen::VectorXd& b) const = 0;
 
+    /// The first unknowns of n, as many as b has, for a right-hand side that is zero beyond b.
+    virtual Eigen::VectorXd solveFirst(const Eigen::VectorXd& b, int n) const {
+        Eigen::VectorXd all = Eigen::VectorXd::Zero(n);
+        all.head(b.size()) = b;
+        return solve(all).head(b.size());
+    }
+
 protected:
     SymmetricSolver() = default;
     SymmetricSolver(const SymmetricSolver&) = default;

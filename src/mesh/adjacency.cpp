@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -9,22 +10,31 @@
 
 namespace pfem {
 
+/// By blocks of cells: each counts what it has at each node, and so knows where to write.
 template <int Dim>
 NodeToCells nodeToCells(const std::vector<Simplex<Dim>>& cells, int nNodes) {
+    const int nCells = static_cast<int>(cells.size()), nBlocks = nCells > shortLoop ? 4 : 1;
+    std::vector<std::vector<int>> next(nBlocks, std::vector<int>(nNodes, 0));
+    const auto forCells = [&](int block, const auto& visit) {
+        const auto first = [&](std::int64_t b) { return static_cast<int>(b * nCells / nBlocks); };
+        for (int e = first(block); e < first(block + 1); ++e)
+            for (int k = 0; k <= Dim; ++k) visit(e, k, next[block][cells[e][k]]);
+    };
+    parallelTasks(nBlocks, [&](int b) { forCells(b, [](int, int, int& count) { ++count; }); });
     NodeToCells around;
     around.start.assign(static_cast<std::size_t>(nNodes) + 1, 0);
-    for (const auto& s : cells)
-        for (int node : s) ++around.start[node + 1];
-    for (int i = 0; i < nNodes; ++i) around.start[i + 1] += around.start[i];
+    for (int i = 0, slot = 0; i < nNodes; ++i) {
+        for (auto& block : next) slot += std::exchange(block[i], slot);
+        around.start[i + 1] = slot;
+    }
     around.cell.resize(cells.size() * (Dim + 1));
     around.corner.resize(cells.size() * (Dim + 1));
-    std::vector<int> next(around.start.begin(), around.start.end() - 1);
-    for (int e = 0; e < static_cast<int>(cells.size()); ++e)
-        for (int k = 0; k <= Dim; ++k) {
-            const int slot = next[cells[e][k]]++;
+    parallelTasks(nBlocks, [&](int b) {
+        forCells(b, [&](int e, int k, int& slot) {
             around.cell[slot] = e;
-            around.corner[slot] = k;
-        }
+            around.corner[slot++] = k;
+        });
+    });
     return around;
 }
 

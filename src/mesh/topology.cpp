@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "base/parallel.hpp"
 #include "mesh/contacts.hpp"
 #include "mesh/distance.hpp"
 #include "mesh/nearestOnFace.hpp"
@@ -146,9 +147,9 @@ void setWalls(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const 
     findTouching<Dim>(mesh, kinds, x, reach, t);
     setSkins<Dim>(mesh, x, t);
     const auto symmetry = symmetryFaces<Dim>(mesh, kinds);
-    t.freeSurface.assign(t.nNodes(), 0);
-    for (auto& face : t.faces) {
-        if (face.kind == FaceKind::interface) continue;
+    parallelFor(static_cast<int>(t.faces.size()), [&](int f) {
+        auto& face = t.faces[f];
+        if (face.kind == FaceKind::interface) return;
         const bool onSymmetry = !symmetry.empty() && symmetry.count(sorted<Dim>(face.nodes)) > 0;
         face.wall = onSymmetry || t.rides.empty() ? -1 : skinUnder<Dim>(t, x, face.nodes);
         if (face.wall < 0 && !onSymmetry) {
@@ -157,9 +158,11 @@ void setWalls(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const 
             face.wall = wallUnder<Dim>(t, x, face.nodes, outward, supports);
         }
         face.kind = onSymmetry || face.wall >= 0 ? FaceKind::wall : FaceKind::freeSurface;
+    });
+    t.freeSurface.assign(t.nNodes(), 0);
+    for (const auto& face : t.faces)
         if (face.kind == FaceKind::freeSurface)
             for (int node : face.nodes) t.freeSurface[node] = 1;
-    }
 }
 
 }  // namespace

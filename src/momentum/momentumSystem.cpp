@@ -102,9 +102,10 @@ MomentumSystem<Dim>::MomentumSystem(const Step<Dim>& step, const MomentumControl
       inertia_(inertia.size(), Vec<Dim>::Zero()),
       diagonal_(inertia.size(), 0.0) {
     if (solid_.dofs.n > 0) {
-        factor_ = elasticSolver<Dim>(solid_.matrix, placesOfUnknowns<Dim>(solid_.dofs, step.old.x));
-        factor_->analyse(solid_.matrix);
-        factor_->factor(solid_.matrix);
+        auto solver = elasticSolver<Dim>(solid_.matrix, placesOfUnknowns<Dim>(solid_.dofs, step.old.x));
+        solver->analyse(solid_.matrix);
+        solver->factor(solid_.matrix);
+        solid_.factor = std::move(solver);
     }
     const Topology<Dim>& topology = step.topology;
     for (int i = 0; i < topology.nNodes(); ++i) {
@@ -237,7 +238,7 @@ Points<Dim> MomentumSystem<Dim>::precondition(const Points<Dim>& r) const {
         z[i].setZero();
         if (diagonal_[i] > 0) z[i] = constraints_.project(i, r[i]).cwiseQuotient(diagonal);
     });
-    if (solid_.dofs.n > 0) scatter(factor_->solve(gather(r)), z);
+    if (solid_.dofs.n > 0) scatter(solid_.factor->solve(gather(r)), z);
     return z;
 }
 

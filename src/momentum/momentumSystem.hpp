@@ -1,9 +1,6 @@
 #pragma once
 // ONE linear system for the velocities of fluid and solid together: (M + K) dv = -R_m (40)-(43).
 
-#include <memory>
-
-#include "linear/symmetricSolver.hpp"
 #include "momentum/fluidPhase.hpp"
 #include "momentum/solidMatrix.hpp"
 #include "momentum/step.hpp"
@@ -29,7 +26,7 @@ public:
     /// Forces on nodes as a right-hand side of the solids' unknowns; the change of these that it makes; and that change
     /// as velocities of the nodes.
     Eigen::VectorXd onSolids(const std::vector<std::pair<int, Vec<Dim>>>& forces) const;
-    Eigen::VectorXd solveSolids(const Eigen::VectorXd& f) const { return f.size() > 0 ? factor_->solve(f) : f; }
+    Eigen::VectorXd solveSolids(const Eigen::VectorXd& f) const { return f.size() > 0 ? solid_.factor->solve(f) : f; }
     void addOfSolids(const Eigen::VectorXd& change, Points<Dim>& dv) const { scatter(change, dv); }
 
     /// The fluid's viscosity has changed.
@@ -65,7 +62,6 @@ private:
     const NodeConstraints<Dim>& constraints_;
     const FluidPhase<Dim>& fluid_;
     SolidBlock<Dim> solid_;
-    std::unique_ptr<SymmetricSolver> factor_;
     double massFactor_;                    // of the mass in the matrix [1/s]
     std::vector<Eigen::MatrixXd> ofBody_;  // (B^T B)^-1 of rigid bodies whose nodes' velocities are B times their own
     std::vector<unsigned char> moving_;    // fluid nodes with unknowns, solids left out

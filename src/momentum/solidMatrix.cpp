@@ -2,10 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <optional>
 
-#include "integration/gradientRow.hpp"
+#include "integration/pointRows.hpp"
 #include "material/rigid.hpp"
 #include "momentum/solidElementStress.hpp"
+#include "momentum/solidPattern.hpp"
 
 namespace pfem {
 
@@ -25,68 +27,72 @@ double strainTime(const Solid& material, double dt) {
 
 Moduli operator+(const Moduli& a, const Moduli& b) { return {a.lambda + b.lambda, a.mu + b.mu}; }
 
-/// Add (Omega G)^T C (Omega G) / Omega.
+/// Of stress points: their gradients and moduli, none where a body is rigid.
 template <int Dim>
-void addStiffness(SymmetricMatrix& A, const SolidDofs<Dim>& dofs, const Moduli& moduli, const GradientRow<Dim>& row) {
-    const double lambda = moduli.lambda / row.volume;
-    const double mu = moduli.mu / row.volume;
-    for (std::size_t b = 0; b < row.nodes.size(); ++b)
-        for (std::size_t a = 0; a < row.nodes.size(); ++a) {
-            const int na = row.nodes[a], nb = row.nodes[b];
-            const int la = dofs.local[na], lb = dofs.local[nb];
-            if (la < 0 || lb < 0 || dofs.first[na] < dofs.first[nb]) continue;
-            const Vec<Dim>& ga = row.weighted[a];
-            const Vec<Dim>& gb = row.weighted[b];
-            const Tensor<Dim> K =
-                lambda * ga * gb.transpose() + mu * gb * ga.transpose() + mu * ga.dot(gb) * Tensor<Dim>::Identity();
-            for (int cb = 0; cb < dofs.count[nb]; ++cb) {
-                const int first = dofs.first[na] == dofs.first[nb] ? cb : 0;  // rows of one node follow each other
-                const int slot = A.slot(dofs.first[na] + first, dofs.first[nb] + cb);
-                for (int ca = first; ca < dofs.count[na]; ++ca)
-                    A.value[slot + ca - first] += dofs.basis[la].col(ca).dot(K * dofs.basis[lb].col(cb));
-            }
-        }
+struct Stiffness {
+    PointRows<Dim> rows;
+    std::vector<std::optional<Moduli>> moduli;
+};
+
+/// `moduliOf`: of a stress point and its material.
+template <int Dim, class ModuliOf>
+Stiffness<Dim> stiffness(const Solids<Dim>& solids, const SmoothingDomains<Dim>& domains, const ModuliOf& moduliOf) {
+    Stiffness<Dim> result{PointRows<Dim>(domains), {}};
+    result.moduli.resize(nStressPoints<Dim>(domains));
+    parallelFor(nStressPoints<Dim>(domains), [&](int p) {
+        if (!isStressPoint<Dim>(domains, p)) return;
+        const Solid& material = solidMaterial<Dim>(solids.problem, solids.cells, domains, p);
+        if (!rigidOf(material.law.get())) result.moduli[p] = moduliOf(p, material);
+    });
+    return result;
 }
 
-/// Pattern: nodes that share a stress point (nodal domains: two rings of the mesh).
+/// Add the columns of one node, the b-th of the row, of (Omega G)^T C (Omega G) / Omega.
 template <int Dim>
-SymmetricMatrix emptySolidMatrix(const SmoothingDomains<Dim>& domains, const SolidDofs<Dim>& dofs) {
-    std::vector<std::vector<int>> lower(dofs.node.size());  // by local nodes
-    for (int p = 0; p < nStressPoints<Dim>(domains); ++p) {
-        if (!isStressPoint<Dim>(domains, p)) continue;
-        const GradientRow<Dim> row = pointRow<Dim>(domains, p);
-        for (int a : row.nodes)
-            for (int b : row.nodes)
-                if (dofs.local[b] >= 0 && dofs.local[a] >= 0 && dofs.first[a] > dofs.first[b])
-                    lower[dofs.local[b]].push_back(dofs.local[a]);
-    }
-    std::vector<std::vector<int>> rows(dofs.n);
-    const auto firstOf = [&](int l) { return dofs.first[dofs.node[l]]; };
-    for (const auto& body : dofs.bodies) {  // one list for all nodes of the body
-        auto& all = lower[body.local[0]];
-        for (const int l : body.local)
-            if (l != body.local[0]) all.insert(all.end(), lower[l].begin(), lower[l].end());
-    }
-    for (auto& others : lower)
-        for (int& l : others)  // the first node stands for its body
-            for (const auto& body : dofs.bodies)
-                if (firstOf(l) == body.first) l = body.local[0];
-    for (std::size_t l = 0; l < lower.size(); ++l) {
-        std::sort(lower[l].begin(), lower[l].end());
-        lower[l].erase(std::unique(lower[l].begin(), lower[l].end()), lower[l].end());
-        if (!dofs.bodies.empty())
-            std::stable_sort(lower[l].begin(), lower[l].end(), [&](int a, int b) { return firstOf(a) < firstOf(b); });
-        const int first = dofs.first[dofs.node[l]], count = dofs.count[dofs.node[l]];
-        if (count > 0 && !rows[first].empty()) continue;  // another node of its body came before
-        for (int c = 0; c < count; ++c) {
-            auto& column = rows[first + c];
-            for (int d = c + 1; d < count; ++d) column.push_back(first + d);
-            for (int other : lower[l])
-                for (int d = 0; d < dofs.count[dofs.node[other]]; ++d)
-                    column.push_back(dofs.first[dofs.node[other]] + d);
+void addColumns(SymmetricMatrix& A, const SolidDofs<Dim>& dofs, const Moduli& moduli, const GradientRow<Dim>& row,
+                std::size_t b) {
+    const double lambda = moduli.lambda / row.volume;
+    const double mu = moduli.mu / row.volume;
+    const int nb = row.nodes[b], lb = dofs.local[nb];
+    const Vec<Dim>& gb = row.weighted[b];
+    for (std::size_t a = 0; a < row.nodes.size(); ++a) {
+        const int na = row.nodes[a], la = dofs.local[na];
+        if (la < 0 || dofs.first[na] < dofs.first[nb]) continue;
+        const bool same = dofs.first[na] == dofs.first[nb];
+        const Vec<Dim>& ga = row.weighted[a];
+        const Tensor<Dim> K =
+            lambda * ga * gb.transpose() + mu * gb * ga.transpose() + mu * ga.dot(gb) * Tensor<Dim>::Identity();
+        const int below = same ? 0 : A.slot(dofs.first[na], dofs.first[nb]) - A.start[dofs.first[nb]];
+        for (int cb = 0; cb < dofs.count[nb]; ++cb) {  // the rows of one node follow each other
+            const int first = same ? cb : 0, slot = A.start[dofs.first[nb] + cb] + (same ? 0 : below - cb);
+            for (int ca = first; ca < dofs.count[na]; ++ca)
+                A.value[slot + ca - first] += dofs.basis[la].col(ca).dot(K * dofs.basis[lb].col(cb));
         }
     }
-    return symmetricPattern(rows);
+}
+
+/// Add them all, each node's columns by one thread. All entries take their terms in the order of the stress points.
+template <int Dim>
+void addStiffness(const std::vector<Stiffness<Dim>>& terms, const SolidDofs<Dim>& dofs, SymmetricMatrix& A) {
+    constexpr int block = 32;
+    const int n = static_cast<int>(dofs.node.size());
+    parallelTasks((n + block - 1) / block, [&](int k) {
+        for (int l = k * block; l < std::min(n, (k + 1) * block); ++l) {
+            const int node = dofs.node[l];
+            if (dofs.ofBody(node)) continue;
+            for (const auto& [rows, moduli] : terms)
+                for (const int p : rows.pointsOf(node)) {
+                    const auto& nodes = rows[p].nodes;
+                    const std::size_t b = std::find(nodes.begin(), nodes.end(), node) - nodes.begin();
+                    if (moduli[p]) addColumns<Dim>(A, dofs, *moduli[p], rows[p], b);
+                }
+        }
+    });
+    if (dofs.bodies.empty()) return;
+    for (const auto& [rows, moduli] : terms)  // a body's columns are those of many nodes
+        for (std::size_t p = 0; p < moduli.size(); ++p)
+            for (std::size_t b = 0; moduli[p] && b < rows[p].nodes.size(); ++b)
+                if (dofs.ofBody(rows[p].nodes[b])) addColumns<Dim>(A, dofs, *moduli[p], rows[p], b);
 }
 
 /// The unknowns of a rigid body.
@@ -104,6 +110,20 @@ void addBody(const RigidBody<Dim>& body, SolidDofs<Dim>& dofs) {
         dofs.count[i] = body.nFree();
     }
     dofs.n += body.nFree();
+}
+
+/// The mass of each node, in the directions of its unknowns.
+template <int Dim>
+void addInertia(const Points<Dim>& inertia, const SolidDofs<Dim>& dofs, SymmetricMatrix& A) {
+    for (std::size_t k = 0; k < dofs.node.size(); ++k)
+        for (int c = 0; c < dofs.count[dofs.node[k]]; ++c) {
+            const int unknown = dofs.first[dofs.node[k]] + c;
+            A.add(unknown, unknown, inertia[dofs.node[k]].dot(dofs.basis[k].col(c).cwiseAbs2()));
+            if (!dofs.ofBody(dofs.node[k])) continue;
+            for (int d = 0; d < c; ++d)
+                A.add(unknown, dofs.first[dofs.node[k]] + d,
+                      inertia[dofs.node[k]].dot(dofs.basis[k].col(c).cwiseProduct(dofs.basis[k].col(d))));
+        }
 }
 
 }  // namespace
@@ -135,44 +155,31 @@ SolidDofs<Dim> solidDofs(const NodeToCells& solid, const NodeConstraints<Dim>& c
 template <int Dim>
 SymmetricMatrix solidMatrix(const Solids<Dim>& solids, const SmoothingDomains<Dim>& domains, const SolidDofs<Dim>& dofs,
                             const Points<Dim>& inertia, const std::vector<double>& h, const MidpointRule& midpoint) {
-    const auto& [problem, controls, cells] = solids;
-    const bool withPressure = controls.withPressure();
-    SymmetricMatrix A = emptySolidMatrix<Dim>(withPressure ? withNodalPoints<Dim>(domains) : domains, dofs);
-    for (std::size_t k = 0; k < dofs.node.size(); ++k)
-        for (int c = 0; c < dofs.count[dofs.node[k]]; ++c) {
-            const int unknown = dofs.first[dofs.node[k]] + c;
-            A.add(unknown, unknown, inertia[dofs.node[k]].dot(dofs.basis[k].col(c).cwiseAbs2()));
-            if (!dofs.ofBody(dofs.node[k])) continue;
-            for (int d = 0; d < c; ++d)
-                A.add(unknown, dofs.first[dofs.node[k]] + d,
-                      inertia[dofs.node[k]].dot(dofs.basis[k].col(c).cwiseProduct(dofs.basis[k].col(d))));
-        }
-
-    for (int p = 0; p < nStressPoints<Dim>(domains); ++p) {
-        if (!isStressPoint<Dim>(domains, p)) continue;
-        const Solid& material = solidMaterial<Dim>(problem, cells, domains, p);
-        if (!dofs.bodies.empty() && rigidOf(material.law.get())) continue;
+    if (dofs.node.empty()) return symmetricPattern({});
+    const SolidControls& controls = solids.controls;
+    const auto damping = [&](const Solid& material, double size) {
+        return dampingTime(material, controls.damping, size);
+    };
+    SmoothingDomains<Dim> cells = domains, nodes = domains;
+    cells.scheme = Integration::elemental;
+    nodes.scheme = Integration::nodal;
+    std::vector<Stiffness<Dim>> terms;
+    terms.push_back(stiffness<Dim>(solids, domains, [&](int p, const Solid& material) {
         const double tangent = strainTime(material, midpoint.dt);
-        const auto row = pointRow<Dim>(domains, p);
         Moduli moduli = elastic(material, tangent);
-        if (withPressure) moduli.lambda -= tangent * material.law->volumeModulus();
-        const double tau = dampingTime(material, controls.damping, atPoint<Dim>(domains, h, p));
-        addStiffness<Dim>(A, dofs, moduli + elastic(material, -tau), row);
-    }
-    for (int e = 0; e < domains.nCells(); ++e) {
-        const Solid& material = problem.solid(cells.material[e]);
-        if (!dofs.bodies.empty() && rigidOf(material.law.get())) continue;
-        const double tau = dampingTime(material, controls.damping, cellMean<Dim>(domains, h, e));
-        addStiffness<Dim>(A, dofs, elastic(material, tau), elementRow<Dim>(domains, e));
-    }
-    if (!withPressure) return A;
-    const auto atNodes = withNodalPoints<Dim>(domains);
-    for (int i = 0; i < atNodes.nNodes(); ++i)
-        if (isStressPoint<Dim>(atNodes, i)) {
-            const Solid& material = solidMaterial<Dim>(problem, cells, atNodes, i);
-            const double modulus = strainTime(material, midpoint.dt) * material.law->volumeModulus();
-            addStiffness<Dim>(A, dofs, {modulus, 0}, pointRow<Dim>(atNodes, i));
-        }
+        if (controls.withPressure()) moduli.lambda -= tangent * material.law->volumeModulus();
+        return moduli + elastic(material, -damping(material, atPoint<Dim>(domains, h, p)));
+    }));
+    terms.push_back(stiffness<Dim>(solids, cells, [&](int e, const Solid& material) {
+        return elastic(material, damping(material, cellMean<Dim>(domains, h, e)));
+    }));
+    if (controls.withPressure())
+        terms.push_back(stiffness<Dim>(solids, nodes, [&](int, const Solid& material) {
+            return Moduli{strainTime(material, midpoint.dt) * material.law->volumeModulus(), 0};
+        }));
+    SymmetricMatrix A = solidPattern<Dim>(controls.withPressure() ? terms.back().rows : terms.front().rows, dofs);
+    addInertia<Dim>(inertia, dofs, A);
+    addStiffness<Dim>(terms, dofs, A);
     return A;
 }
 

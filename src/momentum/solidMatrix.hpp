@@ -1,10 +1,12 @@
 #pragma once
 // The assembled momentum matrix of the solid nodes, interface included (41)-(42).
 
+#include <memory>
+
 #include "conditions/problem.hpp"
 #include "integration/midpointRule.hpp"
 #include "integration/stressPoints.hpp"
-#include "linear/symmetricMatrix.hpp"
+#include "linear/symmetricSolver.hpp"
 #include "momentum/solids.hpp"
 
 namespace pfem {
@@ -35,6 +37,7 @@ template <int Dim>
 struct SolidBlock {
     SolidDofs<Dim> dofs;
     SymmetricMatrix matrix;
+    std::shared_ptr<const SymmetricSolver> factor = nullptr;  // of the matrix, once MomentumSystem has made it
 };
 
 template <int Dim>

@@ -47,11 +47,26 @@ Turned turned(Delaunay::Cell_handle cell) {
     return t;
 }
 
-std::vector<Turned> sortedCells(const Delaunay& triangulation) {
-    std::vector<Turned> cells;
-    for (const auto cell : triangulation.finite_cell_handles()) cells.push_back({cell});
-    parallelFor(static_cast<int>(cells.size()), [&](int e) { cells[e] = turned(cells[e].cell); });
-    std::sort(cells.begin(), cells.end(), [](const Turned& a, const Turned& b) { return a.nodes < b.nodes; });
+/// The finite cells in Triangulator's order; infinite ones get the number -1. `nPoints`: more than any node's number.
+std::vector<Turned> sortedCells(const Delaunay& triangulation, std::size_t nPoints) {
+    std::vector<Turned> found;
+    found.reserve(triangulation.number_of_cells());
+    for (const auto cell : triangulation.all_cell_handles())
+        if (triangulation.is_infinite(cell))
+            cell->info() = -1;
+        else
+            found.push_back({cell});
+    parallelFor(static_cast<int>(found.size()), [&](int e) { found[e] = turned(found[e].cell); });
+    std::vector<int> start(nPoints + 1, 0);  // of those with the same first node
+    for (const auto& cell : found) ++start[cell.nodes[0] + 1];
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    std::vector<Turned> cells(found.size());
+    std::vector<int> next(start.begin(), start.end() - 1);
+    for (const auto& cell : found) cells[next[cell.nodes[0]]++] = cell;
+    parallelFor(static_cast<int>(nPoints), [&](int i) {
+        std::sort(cells.begin() + start[i], cells.begin() + start[i + 1],
+                  [](const Turned& a, const Turned& b) { return a.nodes < b.nodes; });
+    });
     return cells;
 }
 
@@ -64,9 +79,8 @@ Triangulation<3> spaceDelaunay(const Points<3>& points, const std::vector<int>& 
     if (coincide) *coincide = triangulation.number_of_vertices() < active.size();
     Triangulation<3> result;
     if (triangulation.dimension() < 3) return result;
-    const auto cells = sortedCells(triangulation);
-    for (const auto cell : triangulation.all_cell_handles()) cell->info() = -1;
-    for (std::size_t e = 0; e < cells.size(); ++e) cells[e].cell->info() = static_cast<int>(e);
+    const auto cells = sortedCells(triangulation, points.size());
+    parallelFor(static_cast<int>(cells.size()), [&](int e) { cells[e].cell->info() = e; });
     result.cells.resize(cells.size());
     result.neighbours.resize(cells.size());
     parallelFor(static_cast<int>(cells.size()), [&](int e) {

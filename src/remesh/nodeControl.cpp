@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <set>
 
 #include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
@@ -197,7 +196,9 @@ private:
     }
 
     bool isBoundaryEdge(int i, int j) const {
-        if constexpr (Dim == 3) return boundaryEdges_.count({std::min(i, j), std::max(i, j)}) > 0;
+        if constexpr (Dim == 3)
+            return std::binary_search(boundaryEdges_.begin(), boundaryEdges_.end(),
+                                      std::array<int, 2>{std::min(i, j), std::max(i, j)});
         int cells = 0;
         const auto& around = moved_.topology.fluid;
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
@@ -222,8 +223,9 @@ private:
             for (const auto& face : moved_.topology.faces)
                 for (int k = 0; k < 3; ++k) {
                     const int i = face.nodes[k], j = face.nodes[(k + 1) % 3];
-                    boundaryEdges_.insert({std::min(i, j), std::max(i, j)});
+                    boundaryEdges_.push_back({std::min(i, j), std::max(i, j)});
                 }
+        std::sort(boundaryEdges_.begin(), boundaryEdges_.end());
     }
 
     /// The surface polygon without removed nodes and with the halves of split edges.
@@ -267,9 +269,9 @@ private:
     const std::vector<double>& h_;
     const std::vector<unsigned char>& kept_;
     const NodeToNodes& ring_;
-    std::set<std::array<int, 2>> boundaryEdges_;  // (3D) of faces without a neighbour
-    std::vector<double> height_;                  // per cell, the least over a face of the free surface [m]
-    double closest_ = 0;                          // in units of h: no node goes for one that is farther
+    std::vector<std::array<int, 2>> boundaryEdges_;  // (3D) of faces without a neighbour, sorted
+    std::vector<double> height_;                     // per cell, the least over a face of the free surface [m]
+    double closest_ = 0;                             // in units of h: no node goes for one that is farther
     std::vector<unsigned char> locked_;
     std::vector<unsigned char> near_;  // to a neighbour: such a node may have to go
     std::vector<unsigned char> long_;  // the end of an edge that may get a node

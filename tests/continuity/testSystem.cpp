@@ -59,7 +59,7 @@ struct Coupled {
         return {problem, c.state.mesh, topology.fluid, c.state.nodes, Integration::nodal};
     }
     ContinuitySystem<Dim> system(const ContinuityControls& controls) const {
-        return {step(c.problem), controls, phase(c.problem), {tau, projected(controls)}, x, {dofs, A}};
+        return {step(c.problem), controls, phase(c.problem), {tau, projected(controls)}, x, {dofs, A, nullptr}};
     }
     /// R_c of pressure p and velocities v without gravity.
     std::vector<double> residual(const PerCell<double>& stabilisationTime, const std::vector<double>& p,

@@ -1,6 +1,8 @@
 // Multigrid for the pressures of [K B; B^T -M] against a direct factor.
 
+#include <dlfcn.h>
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include <cmath>
 #include <random>
@@ -69,6 +71,32 @@ Sample cube(int m, double light, double stiff) {
     return sample;
 }
 
+/// M of the elastic velocities, without its scale.
+SymmetricMatrix elasticBlock(const Sample& s, double scale) {
+    const auto [first, n] = s.sizes;
+    SymmetricMatrix M;
+    M.n = n;
+    M.start.assign(1, 0);
+    for (int j = first; j < first + n; ++j) {
+        for (int k = s.A.start[j]; k < s.A.start[j + 1]; ++k) {
+            M.row.push_back(s.A.row[k] - first);
+            M.value.push_back(-s.A.value[k] / scale);
+        }
+        M.start.push_back(static_cast<int>(M.row.size()));
+    }
+    return M;
+}
+
+MultigridSolver multigridSolver(const Sample& s, double tolerance) {
+    constexpr double scale = 0.5;
+    const SymmetricMatrix M = elasticBlock(s, scale);
+    const auto first = s.place.begin() + s.sizes.nPressures;
+    std::shared_ptr<SymmetricSolver> factor = elasticSolver<3>(M, {first, first + s.sizes.nElastic});
+    factor->analyse(M);
+    factor->factor(M);
+    return {s.sizes, {factor, scale}, tolerance, {}};
+}
+
 Eigen::VectorXd someRight(int n) {
     Eigen::VectorXd b(n);
     for (int i = 0; i < n; ++i) b[i] = std::sin(0.37 * i) + 0.2;
@@ -89,14 +117,16 @@ TEST_F(MultigridOnCube, agreesWithTheFactor) {
     for (const double stiff : {100.0, 1.0, 0.01}) {
         const Sample s = cube(10, 0.3, stiff);
         const auto direct = dissectedSolver<3>(s.A, s.place, Precision::twofold);
-        const auto multigrid = multigridSolver<3>(s.A, s.place, s.sizes, 1e-12);
-        for (auto* solver : {direct.get(), multigrid.get()}) {
+        MultigridSolver multigrid = multigridSolver(s, 1e-12);
+        for (SymmetricSolver* solver : {direct.get(), static_cast<SymmetricSolver*>(&multigrid)}) {
             solver->analyse(s.A);
             solver->factor(s.A);
         }
         const Eigen::VectorXd b = someRight(s.A.n), x = direct->solve(b);
-        EXPECT_LT((multigrid->solve(b) - x).norm(), 1e-8 * x.norm()) << "stiffness " << stiff;
+        EXPECT_LT((multigrid.solve(b) - x).norm(), 1e-8 * x.norm()) << "stiffness " << stiff;
         EXPECT_LT((s.A.multiply(x) - b).norm(), 1e-10 * b.norm());
+        const Eigen::VectorXd ofPressures = b.head(s.sizes.nPressures), first = direct->solveFirst(ofPressures, s.A.n);
+        EXPECT_LT((multigrid.solveFirst(ofPressures, s.A.n) - first).norm(), 1e-8 * first.norm());
     }
 }
 
@@ -119,23 +149,43 @@ TEST_F(MultigridOnCube, repeatsItsBits) {
     const Sample s = cube(12, 0.3, 1);
     Eigen::VectorXd x[2];
     for (Eigen::VectorXd& each : x) {
-        const auto solver = multigridSolver<3>(s.A, s.place, s.sizes, 1e-3);
-        solver->analyse(s.A);
-        solver->factor(s.A);
-        each = solver->solve(someRight(s.A.n));
+        MultigridSolver solver = multigridSolver(s, 1e-3);
+        solver.analyse(s.A);
+        solver.factor(s.A);
+        each = solver.solve(someRight(s.A.n));
     }
     EXPECT_EQ(x[0], x[1]);
+}
+
+/// 32768 pressures: sums of so many are shared by BLAS, too.
+TEST_F(MultigridOnCube, bitsDoNotDependOnThreads) {
+    const Sample s = cube(32, 0.3, 1);
+    const int threads = omp_get_max_threads();
+    Eigen::VectorXd x[2];
+    for (const int n : {1, 3}) {
+        omp_set_num_threads(n);
+        MultigridSolver solver = multigridSolver(s, 1e-3);
+        solver.analyse(s.A);
+        solver.factor(s.A);
+        x[n > 1] = solver.solve(someRight(s.A.n));
+    }
+    omp_set_num_threads(threads);
+    EXPECT_EQ(x[0], x[1]);
+    const auto ofBlas = reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, "openblas_get_num_threads"));
+    if (ofBlas) {
+        EXPECT_EQ(ofBlas(), 1);
+    }
 }
 
 TEST_F(MultigridOnCube, saysThatItDoesNotConverge) {
     Sample s = cube(6, 0.3, 1);
     for (int j = 0; j < s.sizes.nPressures; ++j) s.A.add(j, j, -8);  // no longer definite
-    const auto solver = multigridSolver<3>(s.A, s.place, s.sizes, 1e-10);
-    solver->analyse(s.A);
+    MultigridSolver solver = multigridSolver(s, 1e-10);
+    solver.analyse(s.A);
     EXPECT_THROW(
         {
-            solver->factor(s.A);
-            solver->solve(someRight(s.A.n));
+            solver.factor(s.A);
+            solver.solve(someRight(s.A.n));
         },
         StepFailure);
 }
