@@ -4,6 +4,7 @@
 #include <cstring>
 #include <tuple>
 
+#include "io/sizesFile.hpp"
 #include "io/stateFiles.hpp"
 #include "io/stateGrid.hpp"
 #include "io/statePart.hpp"
@@ -122,6 +123,8 @@ State<Dim> readState(const std::filesystem::path& folder) {
     state.ledger.takeFrom(uniform.ledger);
     state.energy.takeFrom(uniform.energy);
     state.memory = uniform.memory;
+    if (const auto sizes = uniform.checksums.find("sizes"); sizes != uniform.checksums.end())
+        state.sizes = readSizes<Dim>(folder, sizes->second);
     state.nodes = mergeNodes<Dim>({&solid, &fluid, &boundary});
     if (!namesAreValid<Dim>(state))
         fluid.fail(fmt::format("array 'id': node {} is not below nextId {} in uniform/time", state.nodes.id.back(),

@@ -2,6 +2,7 @@
 #include "base/error.hpp"
 #include "io/gridBuilder.hpp"
 #include "io/gridFile.hpp"
+#include "io/sizesFile.hpp"
 #include "io/stateFiles.hpp"
 #include "io/stateGrid.hpp"
 #include "io/uniformTime.hpp"
@@ -109,6 +110,11 @@ void writeState(const std::filesystem::path& folder, const State<Dim>& state, co
                         {},         state.memory};
     for (const auto& file : files) uniform.checksums[file] = checksumOf(readText(staged.path() / file));
     std::filesystem::create_directory(staged.path() / "uniform");
+    if (state.sizes.hold()) {
+        const std::string sizes = formatSizes<Dim>(state.sizes, folder.filename().string());
+        uniform.checksums["sizes"] = checksumOf(sizes);
+        writeAtomically(staged.path() / "uniform" / "sizes", sizes);
+    }
     writeAtomically(staged.path() / "uniform" / "time", formatUniformTime(uniform, folder.filename().string()));
     staged.commit();
 }

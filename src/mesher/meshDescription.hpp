@@ -54,7 +54,7 @@ struct Wall : Outline {
     std::string group;    // of a mesh file: its edges; "": a line of points
 };
 
-/// A place of finer mesh: a box, or all that is near a line of points.
+/// A place of finer mesh: a box, or all that is near a line of points (of a sphere: its centre, twice).
 struct Refinement {
     std::string name;
     bool box = true;
@@ -73,6 +73,7 @@ struct MeshDescription {
     std::vector<Body> bodies;
     std::vector<Wall> walls;
     std::vector<Refinement> refinements;
+    bool holdSizes = false;  // sizes belong to places, not to nodes
 
     std::string meshFile;                // of another program, relative to the case; "": mesh the polygons
     std::string cellArray = "material";  // of a .vtu: its groups

@@ -4,6 +4,7 @@
 
 #include "mesher/checks.hpp"
 #include "mesher/draft.hpp"
+#include "mesher/heldSizes.hpp"
 #include "mesher/simplify.hpp"
 
 namespace pfem {
@@ -121,6 +122,7 @@ MeshResult buildMesh(const MeshDescription& description) {
             if (description.bodies[b].type == type) result.bodies[b] = addBody(draft, description, b, regions[b], size);
     addPatches(draft, description, arrangement, boundary);
     result.state = finishMesh(std::move(draft), description, result.bodies);
+    result.state.sizes = heldSizes(description);
     return result;
 }
 

@@ -110,7 +110,8 @@ Refinement readRefinement(const Dictionary& dict) {
     Refinement refinement;
     refinement.name = dict.keyword();
     refinement.where = dict.where();
-    refinement.box = dict.choice("type", {"box", "curve"}) == "box";
+    const std::string type = dict.choice("type", {"box", "sphere", "curve"});
+    refinement.box = type == "box";
     refinement.meshSize = readSize(dict);
     if (refinement.meshSize == 0) dict.fatal("meshSize", "A refinement needs a meshSize");
     const auto point = [&](const std::string& key) {
@@ -120,6 +121,12 @@ Refinement readRefinement(const Dictionary& dict) {
         refinement.points = {point("min"), point("max")};
         if (!((refinement.points[1] - refinement.points[0]).minCoeff() > 0))
             dict.fatal("max", "'max' must be above and to the right of 'min'");
+        return refinement;
+    }
+    if (type == "sphere") {
+        const Vec<2> centre = point(dict.found("centre") ? "centre" : "origin");
+        refinement.points = {centre, centre};
+        refinement.distance = readRadius(dict);
         return refinement;
     }
     for (const auto& c : dict.get<std::vector<std::vector<double>>>("points"))
@@ -154,6 +161,7 @@ MeshDescription readDescription(const Dictionary& dict, const std::vector<std::s
     if (!fromFile && dict.found("refinements"))
         for (const auto& refinement : dict.dictList("refinements"))
             mesh.refinements.push_back(readRefinement(refinement));
+    mesh.holdSizes = readHoldSizes(dict);
     if (!dict.found("walls")) return mesh;
     for (const auto& wallDict : dict.dictList("walls")) {
         Wall wall;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "mesher/counts.hpp"
+#include "state/placeSizes.hpp"
 
 namespace pfem {
 
@@ -41,12 +42,12 @@ double SizeField::at(const Vec<2>& x, double cap) const {
     double h = cap;
     for (const auto& source : sources_) {
         if (source.h >= h) break;
-        const double reach = (h - source.h) / growth_;
+        const double reach = (h - source.h) / sizeGrowth;
         const double squared = (x - source.x).squaredNorm();
-        if (squared < reach * reach) h = source.h + growth_ * std::sqrt(squared);
+        if (squared < reach * reach) h = source.h + sizeGrowth * std::sqrt(squared);
     }
     for (const auto& refinement : refinements_)
-        if (refinement.meshSize < h) h = std::min(h, refinement.meshSize + growth_ * refinement.away(x));
+        if (refinement.meshSize < h) h = std::min(h, refinement.meshSize + sizeGrowth * refinement.away(x));
     return h;
 }
 

@@ -26,7 +26,6 @@ private:
         Vec<2> x;
         double h;
     };
-    static constexpr double growth_ = 0.2;  // increase of size per distance
     std::vector<double> pieceSize_, bodySize_;
     std::vector<Source> sources_;  // sorted by h
     std::vector<Refinement> refinements_;

@@ -20,6 +20,10 @@ std::vector<KeywordTable> meshKeywords() {
           {"bodies", "dictionaries", "-", "required", "the bodies by name", ""},
           {"walls", "dictionaries", "-", "optional", "the rigid walls by name", ""},
           {"refinements", "dictionaries", "-", "optional", "places of finer mesh by name", ""},
+          {"holdSizes", "bool", "-", "no",
+           "sizes belong to places: water that flows into a refinement, to a solid or a wall of finer mesh gets their "
+           "size, and its own again behind",
+           ""},
           {"meshFile", "file", "-", "optional",
            "take the triangles or tetrahedra of this file, relative to the case, instead of making them: Gmsh's .msh "
            "(2.2 or 4.1, "
@@ -56,12 +60,16 @@ std::vector<KeywordTable> meshKeywords() {
         {file,
          "refinements: each",
          "Finer unstructured mesh there; it grows by 0.2 per distance away from it. Nodes keep their size as they "
-         "move.",
-         {{"type", "word", "-", "required", "box, or curve: all that is near a line", "one of: box curve"},
+         "move, but with holdSizes.",
+         {{"type", "word", "-", "required", "box, sphere, or curve: all that is near a line",
+           "one of: box sphere curve"},
           {"meshSize", "scalar", "m", "required",
            "wanted length of edges there; coarser than the body's own: no effect", "> 0"},
           {"min", "point", "m", "required", "of a box: lower left corner", ""},
           {"max", "point", "m", "required", "of a box: upper right corner", ""},
+          {"centre", "point", "m", "required", "of a sphere; also: origin", ""},
+          {"origin", "point", "m", "required", "of a sphere: its centre", ""},
+          {"radius", "scalar", "m", "required", "of a sphere, in the plane a circle", "> 0"},
           {"points", "list of points", "m", "required", "of a curve: its corners (x y)", ""},
           distance("curve")}},
         {file,

@@ -83,7 +83,8 @@ std::vector<KeywordTable> spaceMeshKeywords() {
           moving("point")}},
         {file,
          "in space: refinements: each",
-         "Finer mesh there; it grows by 0.2 per distance away from it. Nodes keep their size as they move.",
+         "Finer mesh there; it grows by 0.2 per distance away from it. Nodes keep their size as they move, but with "
+         "holdSizes; round a moving wall it moves along then.",
          {{"type", "word", "-", "required", "box, sphere, or surface: all that is near a shape",
            "one of: box sphere surface"},
           {"meshSize", "scalar", "m", "required", "wanted length of edges there", "> 0"},

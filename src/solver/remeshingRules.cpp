@@ -5,6 +5,7 @@
 
 #include "conditions/sides.hpp"
 #include "mesh/contacts.hpp"
+#include "remesh/holdSizes.hpp"
 #include "remesh/letGo.hpp"
 #include "remesh/lostVolume.hpp"
 #include "remesh/motionAccount.hpp"
@@ -120,6 +121,16 @@ void findLeavers(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOut
 }
 
 template <int Dim>
+void takeSizesOfPlaces(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>&) {
+    holdSizes<Dim>(c.motion.topology, c.problem.period, state);
+}
+
+template <int Dim>
+bool sizesHold(const RemeshingContext<Dim>&, const State<Dim>& state) {
+    return state.sizes.hold();
+}
+
+template <int Dim>
 void reconnect(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>& outcome) {
     const auto& kinds = c.problem.conditions.kind;
     const bool sameWalls = c.motion.wallsOld == state.nodes.wall;
@@ -180,6 +191,7 @@ const std::vector<RemeshingRule<Dim>>& remeshingRules() {
         {"squeezeOut", {}, squeezeOut<Dim>, solidsMeet<Dim>},
         {"chargeMotion", {}, chargeNodes<Dim>},
         {"letGo", {}, findLeavers<Dim>, dropsMayGo<Dim>},
+        {"holdSizes", {}, takeSizesOfPlaces<Dim>, sizesHold<Dim>},
         {"remesh", {}, reconnect<Dim>},
         {"strike", {}, stopEachOther<Dim>},
         {"dryInlets", {}, wetInlets<Dim>, hasInlets<Dim>},

@@ -11,6 +11,7 @@
 #include "mesh/mesh.hpp"
 #include "state/energyCauses.hpp"
 #include "state/nodes.hpp"
+#include "state/placeSizes.hpp"
 #include "state/volumeLedger.hpp"
 
 namespace pfem {
@@ -20,9 +21,10 @@ struct State {
     TimeInfo time;
     Nodes<Dim> nodes;
     Mesh<Dim> mesh;
-    Id nextId = 0;        // the id of the next node to be inserted
-    double approach = 0;  // how fast surfaces that are about to meet, or have just met, close: largest -div v of the
-                          // triangles between [1/s]
+    PlaceSizes<Dim> sizes;  // that hold for the whole run
+    Id nextId = 0;          // the id of the next node to be inserted
+    double approach = 0;    // how fast surfaces that are about to meet, or have just met, close: largest -div v of the
+                            // triangles between [1/s]
     VolumeLedger ledger;  // cumulative fluid volume by cause; its fields, if any, are those since the last time folder:
                           // a run that goes on begins with zeros, for it begins with a time folder
     EnergyLedger energy;  // what came beside the equations of motion, by cause

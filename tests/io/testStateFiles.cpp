@@ -34,6 +34,41 @@ TEST(StateFiles, RoundTripRestoresEveryBit) {
     expectIdentical(state, readState<2>(folder.path() / "0.3"));
 }
 
+// Sizes that belong to places: a box, a curve, a point, a patch.
+TEST(StateFiles, SizesOfPlaces) {
+    const TemporaryFolder folder;
+    State<2> state = sampleState();
+    const Vec<2> a(1.0 / 3, -1e-17), b(0.1, 1e300);
+    state.sizes.coarsest = 1.0 / 7;
+    auto& places = state.sizes.places;
+    places.resize(3);
+    for (std::size_t k = 0; k < 3; ++k) places[k].meshSize = 0.01 / static_cast<double>(k + 1);
+    places[0].box = {a, b};
+    places[1].faces = {{a, b}, {b, b}};
+    places[1].distance = 1.0 / 9;
+    places[2].patch = "walls";
+    writeState(folder.path() / "0.3", state);
+    const auto read = readState<2>(folder.path() / "0.3").sizes;
+    EXPECT_TRUE(read.hold());
+    EXPECT_EQ(read.coarsest, state.sizes.coarsest);
+    ASSERT_EQ(read.places.size(), 3u);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto &was = state.sizes.places[k], &is = read.places[k];
+        EXPECT_EQ(is.meshSize, was.meshSize);
+        EXPECT_EQ(is.distance, was.distance);
+        EXPECT_EQ(is.box, was.box);
+        EXPECT_EQ(is.faces, was.faces);
+        EXPECT_EQ(is.patch, was.patch);
+    }
+    const auto file = folder.path() / "0.3/uniform/sizes";
+    put(file, readText(file) + " ");
+    EXPECT_THROW(readState<2>(folder.path() / "0.3"), UserError);
+    fs::remove(file);
+    EXPECT_THROW(readState<2>(folder.path() / "0.3"), UserError);
+    writeState(folder.path() / "0.4", sampleState());
+    EXPECT_FALSE(fs::exists(folder.path() / "0.4/uniform/sizes"));
+}
+
 // Folders from before energy was counted.
 TEST(StateFiles, WithoutEnergy) {
     const TemporaryFolder folder;

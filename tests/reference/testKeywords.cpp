@@ -81,9 +81,10 @@ TEST(Keywords, MeshDictIsComplete) {
         "walls { w { points ((0 0) (1 0)); closed no; moving no; meshSize 1; edges (); } } "
         "refinements { b { type box; min (0 0); max (1 1); meshSize 1; } c { type curve; points ((0 0) (1 0)); "
         "distance 1; "
-        "meshSize 1; } }");
+        "meshSize 1; } s { type sphere; centre (0 0); radius 1; meshSize 1; } o { type sphere; origin (0 0); radius "
+        "1; meshSize 1; } } holdSizes no;");
     readMeshDict(dict, {"oil"});
-    expectDocumented(*dict.node(), names(meshKeywords()), {"a", "p", "w", "b", "c"});
+    expectDocumented(*dict.node(), names(meshKeywords()), {"a", "p", "w", "b", "c", "s", "o"});
     const auto file = Dictionary::parse(
         "meshFile \"a.msh\"; scale 1; cellArray x; bodies { a { type fluid; material oil; group g; meshSize 1; patches "
         "{ p { "

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "mesh/distance.hpp"
+#include "state/placeSizes.hpp"
 
 namespace pfem {
 
@@ -34,10 +35,6 @@ bool meetsBox(const Vec<3>& a, const Vec<3>& d, const Vec<3>& low, const Vec<3>&
         to = std::min(to, std::max(s, t) + 1e-12);
     }
     return from <= to;
-}
-
-double distanceToBox(const Vec<3>& x, const Vec<3>& low, const Vec<3>& high) {
-    return (low - x).cwiseMax(x - high).cwiseMax(Vec<3>::Zero()).norm();
 }
 
 }  // namespace
@@ -114,10 +111,10 @@ std::pair<double, int> BoxTree::nearest(const Vec<3>& x, double most) const {
     int n = 1;
     while (n > 0) {
         const Node& node = nodes_[stack[--n]];
-        if (distanceToBox(x, node.low, node.high) >= best.first) continue;
+        if (distanceToBox<3>(x, node.low, node.high) >= best.first) continue;
         if (node.left >= 0) {
             const Node &l = nodes_[node.left], &r = nodes_[node.right];
-            const bool leftFirst = distanceToBox(x, l.low, l.high) < distanceToBox(x, r.low, r.high);
+            const bool leftFirst = distanceToBox<3>(x, l.low, l.high) < distanceToBox<3>(x, r.low, r.high);
             stack[n++] = leftFirst ? node.right : node.left;
             stack[n++] = leftFirst ? node.left : node.right;
             continue;

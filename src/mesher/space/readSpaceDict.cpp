@@ -38,6 +38,7 @@ public:
             for (const auto& wall : dict_.dictList("walls")) mesh_.walls.push_back(readWall(wall));
         if (dict_.found("refinements"))
             for (const auto& place : dict_.dictList("refinements")) mesh_.refinements.push_back(readRefinement(place));
+        mesh_.holdSizes = readHoldSizes(dict_);
         if (meshSize > 0 && ofDict > 0) scaleSizes(meshSize / ofDict, mesh_);
         return std::move(mesh_);
     }
@@ -200,8 +201,7 @@ private:
                 dict.fatal("max", "'max' must be above 'min' in x, y and z");
         } else if (place.type == SpaceRefinement::Type::sphere) {
             place.centre = point(dict.found("centre") ? "centre" : "origin");
-            place.radius = dict.get<double>("radius");
-            if (!(place.radius > 0)) dict.fatal("radius", "radius must be positive");
+            place.radius = readRadius(dict);
         } else {
             const auto shapes = readShapes(dict, "geometry");
             if (shapes.size() != 1) dict.fatal("geometry", "A refinement round a surface needs one geometry");

@@ -75,6 +75,7 @@ struct SpaceDescription {
     std::vector<SpaceBody> bodies;
     std::vector<SpaceWall> walls;
     std::vector<SpaceRefinement> refinements;
+    bool holdSizes = false;              // sizes belong to places, not to nodes
     std::string meshFile;                // of another program, relative to the case; "": mesh the shapes
     std::string cellArray = "material";  // of a .vtu: its groups
     double scale = 1;                    // from the mesh file's lengths to metres

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "mesh/simplex.hpp"
+#include "mesher/heldSizes.hpp"
 #include "mesher/space/checkSpace.hpp"
 #include "mesher/space/featureLines.hpp"
 #include "mesher/space/joinSurfaces.hpp"
@@ -82,6 +83,7 @@ SpaceMeshResult buildSpaceMesh(const SpaceDescription& asked) {
     const Tetrahedra cells = fill(description, domain, lines, size);
     checkFilled(description, domain, cells);
     SpaceMeshResult result = finishSpaceMesh(description, cells, sizesAt(cells, size));
+    result.state.sizes = heldSizes(description);
     result.warnings.insert(result.warnings.begin(), warnings.begin(), warnings.end());
     return result;
 }

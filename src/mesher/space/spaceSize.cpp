@@ -2,12 +2,11 @@
 #include <memory>
 
 #include "mesher/space/spaceDraft.hpp"
+#include "state/placeSizes.hpp"
 
 namespace pfem {
 
 namespace {
-
-constexpr double growth = 0.2;  // increase of size per distance, as in the plane
 
 /// A place of finer mesh: how far away is x? 0 within.
 struct FinePlace {
@@ -24,9 +23,7 @@ std::shared_ptr<BoxTree> treeOf(const TriSurface& surface) {
 FinePlace placeOf(const SpaceRefinement& r, const SpaceDescription& description) {
     switch (r.type) {
         case SpaceRefinement::Type::box:
-            return {r.meshSize, [r](const Vec<3>& x, double) {
-                        return (r.low - x).cwiseMax(x - r.high).cwiseMax(Vec<3>::Zero()).norm();
-                    }};
+            return {r.meshSize, [r](const Vec<3>& x, double) { return distanceToBox<3>(x, r.low, r.high); }};
         case SpaceRefinement::Type::sphere:
             return {r.meshSize,
                     [r](const Vec<3>& x, double) { return std::max(0.0, (x - r.centre).norm() - r.radius); }};
@@ -72,7 +69,7 @@ SizeAt sizeField(const SpaceDescription& description, const SpaceDomain&) {
             if (label > 0) size = std::min(size, ofBody[static_cast<std::size_t>(label) - 1]);
         for (const auto& place : places) {
             if (place.size >= size) break;
-            size = std::min(size, place.size + growth * place.away(x, (size - place.size) / growth));
+            size = std::min(size, place.size + sizeGrowth * place.away(x, (size - place.size) / sizeGrowth));
         }
         return size;
     };
