@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <limits>
 
 #include "solver/convergence.hpp"
 #include "state/unseenPart.hpp"
@@ -29,18 +29,18 @@ double farthest(const Points<Dim>& x) {
     return most;
 }
 
-/// The largest acceleration that pressure or stress of one node alone would make, p/(rho h) [m/s2].
+/// The largest acceleration that pressure or stress of one node alone would make in the lightest material, p/(rho h)
+/// [m/s2].
 template <int Dim>
 double largestPush(const Step<Dim>& step) {
-    const auto& [problem, nodes] = std::tie(step.problem, step.old);
-    double most = 0;
-    const auto look = [&](const Cells<Dim>& cells, const auto& push) {
-        for (int e = 0; e < cells.size(); ++e)
-            for (const int i : cells.nodes[e]) most = std::max(most, push(cells.material[e], i) / nodes.h[i]);
-    };
-    look(step.mesh.fluid, [&](int m, int i) { return std::abs(nodes.p[i]) / problem.fluid(m).rho; });
-    look(step.mesh.solid, [&](int m, int i) { return nodes.sigma[i].norm() / problem.solid(m).rho; });
-    return most;
+    const Nodes<Dim>& nodes = step.old;
+    double most = 0, rho = std::numeric_limits<double>::max();
+    for (int i = 0; i < nodes.size(); ++i)
+        most = std::max(most,
+                        std::max(std::abs(nodes.p[i]), nodes.sigma[i].template lpNorm<Eigen::Infinity>()) / nodes.h[i]);
+    for (const Material& material : step.problem.materials)
+        rho = std::min(rho, material.kind == MaterialKind::fluid ? material.fluid.rho : material.solid.rho);
+    return most / rho;
 }
 
 }  // namespace
