@@ -3,10 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <complex>
-
-#include "functions/waveGauge.hpp"
-#include "support/cases.hpp"
+#include "support/flume.hpp"
 #include "waves/dispersion.hpp"
 #include "waves/reflection.hpp"
 
@@ -16,13 +13,6 @@ using namespace pfem::test;
 namespace {
 
 constexpr double g = 9.81;
-
-std::string numbers(const std::string& text, const std::vector<double>& values) {
-    std::string result;
-    std::size_t k = 0;
-    for (const char c : text) result += c == '%' ? std::to_string(values.at(k++)) : std::string(1, c);
-    return result;
-}
 
 /// A flume of length L and depth d with a piston at its left end; `signal`: of the piston, `end`: type and entries of
 /// the right end, and what else there is.
@@ -40,23 +30,6 @@ TestCase flume(double L, double d, double h, const std::string& signal, const st
     c.controls.timeIntegration.gamma = 0.5;
     c.controls.convergence.tolU = c.controls.convergence.tolP = 1e-4;
     return c;
-}
-
-double elevation(const TestCase& c, double x, double d) { return readGauge<2>(c.state, {x, 0}, {0, 1})->elevation - d; }
-
-/// Complex amplitudes of the multiples of omega at the places, over whole periods T from the case's time on.
-std::vector<std::vector<std::complex<double>>> harmonics(TestCase& c, const std::vector<double>& x, double d, double T,
-                                                         int periods) {
-    constexpr int perPeriod = 60, nHarmonics = 2;
-    std::vector<std::vector<std::complex<double>>> A(nHarmonics, std::vector<std::complex<double>>(x.size()));
-    for (int n = 0; n < perPeriod * periods; ++n) {
-        c.step(T / perPeriod);
-        for (std::size_t m = 0; m < x.size(); ++m)
-            for (int k = 1; k <= nHarmonics; ++k)
-                A[k - 1][m] += 2.0 / (perPeriod * periods) * elevation(c, x[m], d) *
-                               std::polar(1.0, -2 * M_PI * k * c.state.time.value / T);
-    }
-    return A;
 }
 
 /// Part of the waves of k d that comes back from an end of this kind; h in parts of the depth.
