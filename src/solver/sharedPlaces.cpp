@@ -61,7 +61,8 @@ Role roleOf(const PatchType& type) {
 /// What holds or meets each node of solids; empty for others, and where there is nothing but the solid.
 template <int Dim>
 std::vector<std::set<Holder>> holdersOf(const BoundaryConditions<Dim>& conditions, const State<Dim>& state) {
-    const auto& [mesh, nodes] = std::tie(state.mesh, state.nodes);
+    const Mesh<Dim>& mesh = state.mesh;
+    const Nodes<Dim>& nodes = state.nodes;
     const auto topology = makeTopology<Dim>(mesh, conditions.kind, nodes.x, nodes.wall);
     std::vector<std::set<Holder>> holders(nodes.id.size());
     const auto add = [&](int i, int patch) {

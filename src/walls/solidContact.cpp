@@ -13,8 +13,9 @@ namespace pfem {
 
 namespace {
 
-/// How far beyond the end of a face a node may be, in parts of the face: corner upon corner is contact.
-constexpr double beyondEnd = 0.01;
+/// How far beyond the end of a face a node may be, in parts of the face: corner upon corner is contact. What has passed
+/// its plane there is beside it, but for round-off: the line of a foot that turns on its edge sinks before the edge.
+constexpr double beyondEnd = 0.01, besideEnd = 1e-6;
 
 /// What stays between solids, in parts of h: nodes that coincide could not be triangulated with the fluid around them.
 constexpr double clearance = 1e-3;
@@ -116,7 +117,7 @@ template <int Dim>
 bool isBefore(const Obstacle<Dim>& obstacle, const Vec<Dim>& weights, const ContactPair<Dim>& pair,
               const Nodes<Dim>& nodes, double dt) {
     const double beyond = -weights.minCoeff();
-    if (beyond <= beyondEnd) return true;
+    if (beyond <= (pair.gap < 0 ? besideEnd : beyondEnd)) return true;
     const double size = (nodes.x[obstacle.nodes[1]] - nodes.x[obstacle.nodes[0]]).norm();
     const Vec<Dim> u = pair.relative(nodes.v);
     return pair.gap > 0 && (beyond - beyondEnd) * size < 2 * dt * u.template tail<Dim - 1>().norm();

@@ -88,4 +88,76 @@ TYPED_TEST(FootOnFloor, slidesAndLeaves) {
     }
 }
 
+/// Water that leans on a gate, which stands on the floor and is held at its top: clamped, or a rigid one by a hinge
+/// over its wet side (one farther back would jam it).
+template <int Dim>
+CaseOf<Dim> gate(bool rigid) {
+    const std::string hinge = Dim == 2 ? "centreOfRotation (0.1 0.14 0); constraints { hinge { type point; } }"
+                                       : "centreOfRotation (0.1 0.03 0.14); constraints { hinge { type point; } about "
+                                         "{ type axis; axis (0 1 0); } }";
+    const std::string law = rigid ? "type rigid; " + hinge : "type hypoelastic; E 1e6; nu 0.4;";
+    const std::string laws = water + "gate { rho 1100; " + law + " }";
+    const std::string conditions = std::string("tank { type slip; } ") + (rigid ? "" : "top { type clamped; }");
+    CaseOf<Dim> c;
+    if constexpr (Dim == 2) {
+        c = makeCase("meshSize 0.01; bodies ( water { type fluid; material water; " + rectangle(0, 0, 0.1, 0.14) +
+                         " } gate { type solid; material gate; " + rectangle(0.1, 0, 0.12, 0.14) +
+                         (rigid ? "" : " patches { top { edges ((2 3)); } }") +
+                         " } ); walls ( tank { points ((0 0.3) (0 0) (1.2 0) (1.2 0.3)); } );",
+                     laws, conditions);
+    } else {
+        c = onLattice(
+            Vec<3>::Zero(), {0.12, 0.06, 0.14}, 0.02, [](const Vec<3>& x) { return x[0] < 0.1; },
+            [](const Vec<3>& x) { return x[0] > 0.1; }, laws);
+        c.state.mesh.patches.push_back(openBox(c.state, "tank", {1.2, 0.06, 0.3}));
+        if (!rigid)
+            c.state.mesh.patches.push_back(
+                solidPatch(c.state, "top", [](const Vec<3>& x) { return x[2] > 0.14 - 1e-9; }));
+        c.problem.conditions =
+            readBoundaryConditions<3>(Dictionary::parse(conditions, "boundaryConditions"), c.state.mesh.patches);
+        std::vector<bool> isWall(c.state.mesh.patches.size(), false);
+        isWall[0] = true;
+        separateFromWalls<3>(isWall, c.state);
+    }
+    c.problem.contact = {true, 0.1};
+    return c;
+}
+
+/// The solid's lowest nodes: the lowest place, and how far one has gone along.
+template <int Dim>
+std::pair<double, double> footOf(const CaseOf<Dim>& c) {
+    const auto& nodes = c.state.nodes;
+    double lowest = 1, gone = 0;
+    for (const auto& cell : c.state.mesh.solid.nodes)
+        for (const int i : cell) {
+            lowest = std::min(lowest, nodes.x[i][Dim - 1]);
+            if (nodes.X[i][Dim - 1] < 1e-9) gone = std::max(gone, nodes.x[i][0] - nodes.X[i][0]);
+        }
+    return {lowest, gone};
+}
+
+// The water opens it: the foot slides along the floor, on an edge where it bends, and off it where it turns.
+TYPED_TEST(FootOnFloor, aGateOpens) {
+    constexpr int Dim = TypeParam::value;
+    for (const bool rigid : {false, true}) {
+        auto c = gate<Dim>(rigid);
+        c.start(5e-4);
+        int rejected = 0;
+        double deepest = 1;
+        while (c.state.time.value < 0.05) {
+            rejected += c.step(5e-4).rejected;
+            deepest = std::min(deepest, footOf<Dim>(c).first);
+        }
+        const auto [lowest, gone] = footOf<Dim>(c);
+        std::cout << Dim << "D " << (rigid ? "hinged" : "clamped") << ": foot by " << gone << " m, at " << lowest
+                  << " m, deepest " << deepest << " m, " << rejected << " rejected\n";
+        EXPECT_GT(gone, 1e-3);
+        if (rigid) {
+            EXPECT_GT(lowest, 1e-6);
+        }
+        EXPECT_GT(deepest, -1e-5);
+        EXPECT_LE(rejected, 2);
+    }
+}
+
 }  // namespace
