@@ -156,6 +156,8 @@ void setWalls(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const 
             const Vec<Dim> outward = faceArea<Dim>(x, face.nodes).normalized();
             const auto supports = [&](int node) -> const Supports<Dim>& { return t.supports[node]; };
             face.wall = wallUnder<Dim>(t, x, face.nodes, outward, supports);
+            const auto common = face.wall < 0 ? commonWalls<Dim>(t, face.nodes) : unsupported<Dim>();
+            if (isAlongEdge<Dim>(x, face.nodes, common)) face.wall = common[0];
         }
         face.kind = onSymmetry || face.wall >= 0 ? FaceKind::wall : FaceKind::freeSurface;
     });

@@ -1,6 +1,9 @@
 #pragma once
 // On which wall a face of the fluid lies.
 
+#include <algorithm>
+#include <cmath>
+
 #include "mesh/simplex.hpp"
 #include "mesh/topology.hpp"
 
@@ -47,6 +50,27 @@ int wallUnder(const Topology<Dim>& topology, const Points<Dim>& x, const Face<Di
             return wall;
     }
     return -1;
+}
+
+/// The walls on which all nodes of a face lie.
+template <int Dim>
+Supports<Dim> commonWalls(const Topology<Dim>& topology, const Face<Dim>& face) {
+    Supports<Dim> common = unsupported<Dim>();
+    for (const int wall : topology.supports[face[0]])
+        if (wall >= 0 &&
+            std::all_of(face.begin(), face.end(), [&](int node) { return topology.supportOn(node, wall) >= 0; }))
+            addSupport(common, wall);
+    return common;
+}
+
+/// Has the face no area, its nodes being on the edge of Dim - 1 walls? Then it lies on each of them and has no normal.
+/// So it is where a node of one wall has just come to the other, between two that were there.
+template <int Dim>
+bool isAlongEdge(const Points<Dim>& x, const Face<Dim>& face, const Supports<Dim>& common) {
+    if (nSupports(common) < Dim - 1) return false;
+    double size = 0;
+    for (const int i : face) size = std::max(size, (x[i] - x[face[0]]).norm());
+    return faceArea<Dim>(x, face).norm() < 1e-9 * std::pow(size, Dim - 1);
 }
 
 }  // namespace pfem

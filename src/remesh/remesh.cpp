@@ -7,6 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
+#include "mesh/wallUnder.hpp"
 #include "remesh/connectivity.hpp"
 #include "remesh/fixedFaces.hpp"
 #include "remesh/heirs.hpp"
@@ -22,18 +23,25 @@ namespace {
 
 /// The wall faces that hold an edge of the fluid's boundary, or of its inside (none).
 template <int Dim>
-Supports<Dim> supportsOf(const Topology<Dim>& topology, std::array<int, 2> edge) {
+Supports<Dim> supportsOf(const Topology<Dim>& topology, const Points<Dim>& x, std::array<int, 2> edge) {
     Supports<Dim> supports = unsupported<Dim>();
+    const auto hold = [&](int wall) {
+        const bool known = std::any_of(supports.begin(), supports.end(), [&](int other) {
+            return other >= 0 && topology.walls[other].region == topology.walls[wall].region;
+        });
+        if (!known) addSupport(supports, wall);
+    };
     for (const auto& face : topology.faces) {
         if (face.wall < 0) continue;
         const auto has = [&](int node) {
             return std::find(face.nodes.begin(), face.nodes.end(), node) != face.nodes.end();
         };
         if (!has(edge[0]) || !has(edge[1])) continue;
-        const bool known = std::any_of(supports.begin(), supports.end(), [&](int other) {
-            return other >= 0 && topology.walls[other].region == topology.walls[face.wall].region;
-        });
-        if (!known) addSupport(supports, face.wall);
+        hold(face.wall);
+        const auto common = commonWalls<Dim>(topology, face.nodes);
+        if (!isAlongEdge<Dim>(x, face.nodes, common)) continue;
+        for (const int wall : common)
+            if (wall >= 0) hold(wall);
     }
     return supports;
 }
@@ -59,7 +67,7 @@ void insertNode(const Nodes<Dim>& old, int i, int j, const Topology<Dim>& topolo
     Nodes<Dim>& nodes = state.nodes;
     nodes.appendBetween(old, i, j);
     nodes.id.back() = state.nextId++;
-    nodes.wall.back() = supportsOf<Dim>(topology, {i, j});
+    nodes.wall.back() = supportsOf<Dim>(topology, old.x, {i, j});
     for (int& wall : nodes.wall.back()) {
         if (wall < 0) continue;
         const auto place = placeBeside<Dim>(topology, old.x, {i, j}, wall, nodes.x.back());

@@ -8,6 +8,9 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <tuple>
+
+#include "mesh/wallUnder.hpp"
 
 using namespace pfem;
 
@@ -243,6 +246,33 @@ TEST(Topology, threeDimensions) {
     }
     EXPECT_EQ(interface, 1);
     EXPECT_EQ(surface, 3);
+}
+
+// A node of the floor comes to the side, between two that are on their edge: the face of the three has no area and no
+// normal. It lies on both walls; no surface is open there.
+TEST(Topology, aFaceThatCollapsesOnTheEdgeOfTwoWalls) {
+    Mesh<3> mesh;
+    mesh.fluid.nodes = {{0, 1, 2, 3}};
+    mesh.fluid.material = {0};
+    mesh.patches = {{"floor", {{4, 6, 5}, {4, 7, 6}}}, {"side", {{8, 9, 10}, {8, 10, 11}}}};
+    Points<3> x{{0, 0, 0}, {1, 0, 0},  {0.4, 0.3, 0}, {0.5, 0.5, 0.5}, {-1, 0, 0}, {2, 0, 0},
+                {2, 1, 0}, {-1, 1, 0}, {-1, 0, 0},    {2, 0, 0},       {2, 0, 1},  {-1, 0, 1}};
+    std::vector<Supports<3>> held(x.size(), unsupported<3>());
+    held[0] = held[1] = {0, 2, -1};
+    held[2] = {0, -1, -1};
+    const auto bottom = [&] {
+        const auto t = makeTopology<3>(mesh, {PatchKind::wall, PatchKind::wall}, x, held);
+        const auto face = std::find_if(t.faces.begin(), t.faces.end(), [](const auto& f) {
+            return std::find(f.nodes.begin(), f.nodes.end(), 3) == f.nodes.end();
+        });
+        EXPECT_EQ(face->kind, FaceKind::wall);
+        const auto common = commonWalls<3>(t, face->nodes);
+        return std::tuple(t.walls[face->wall].patch, nSupports(common), isAlongEdge<3>(x, face->nodes, common));
+    };
+    EXPECT_EQ(bottom(), std::tuple(0, 1, false));
+    x[2][1] = 0;
+    held[2] = {0, 2, -1};
+    EXPECT_EQ(bottom(), std::tuple(0, 2, true));
 }
 
 }  // namespace
