@@ -101,7 +101,9 @@ TYPED_TEST(RigidMatrix, isTheDerivative) {
                 EXPECT_LT((body.slope(u) - exact).norm(), 1e-6 * exact.norm()) << restraint << " " << gamma;
                 difference = std::max(difference, (exact - ofMass.multiply(u)).norm() / exact.norm());
             }
-            if (!restraint.empty()) EXPECT_GT(difference, 0.01) << restraint;
+            if (!restraint.empty()) {
+                EXPECT_GT(difference, 0.01) << restraint;
+            }
         }
 }
 
