@@ -11,8 +11,10 @@ namespace {
 
 std::string suggestion(const DictionaryNode& node, const std::string& key) {
     // First among the keys that were asked for in vain: one of them is what was meant.
-    std::vector<std::string> absent, all(node.lookedUp.begin(), node.lookedUp.end());
-    for (const auto& word : all) {
+    std::vector<std::string> absent, all;
+    for (const auto& word : node.lookedUp) {
+        if (word == key) continue;  // looked at, not read
+        all.push_back(word);
         if (!node.index.contains(word)) absent.push_back(word);
     }
     const std::string near = nearestWord(key, absent);

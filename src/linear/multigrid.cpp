@@ -24,8 +24,8 @@ void keepBlasSerial() {
     if (setThreads) setThreads(1);
 }
 
-/// PETSc (and MPI below it) is started when it is needed first and ends with the program. It reads no options of the
-/// user's and leaves signals alone: they stop a run in good order.
+/// PETSc (and MPI below it) is started when it is needed first and ends with the program. Of the user's options it
+/// reads those of the environment (PETSC_OPTIONS); it leaves signals alone: they stop a run in good order.
 void startPetsc(bool isShared) {
     static const struct Session {
         explicit Session(bool byRanks) {
