@@ -1,10 +1,10 @@
 #include "solver/inelastic.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "base/leastSquares.hpp"
 #include "base/spectrum.hpp"
 
 namespace pfem {
@@ -12,7 +12,7 @@ namespace pfem {
 namespace {
 
 template <int Dim>
-using Velocities = std::array<Vec<Dim>, Dim + 1>;
+using CellVelocities = std::array<Vec<Dim>, Dim + 1>;
 
 /// The part that the node may not choose.
 template <int Dim>
@@ -45,8 +45,8 @@ Eigen::Matrix<double, Dim*(Dim + 1), Eigen::Dynamic> rigidModes(const MeetingCel
 /// Velocities at all nodes of the rigid motion that the holds have in common, without a turn where they need
 /// none; nothing where they move to each other.
 template <int Dim>
-std::optional<Velocities<Dim>> frameOf(const MeetingCell<Dim>& cell) {
-    Velocities<Dim> frame;
+std::optional<CellVelocities<Dim>> frameOf(const MeetingCell<Dim>& cell) {
+    CellVelocities<Dim> frame;
     frame.fill(Vec<Dim>::Zero());
     NodalVector<Dim> held;
     Vec<Dim> centre = Vec<Dim>::Zero();
@@ -62,7 +62,7 @@ std::optional<Velocities<Dim>> frameOf(const MeetingCell<Dim>& cell) {
     for (int k = 0; k <= Dim; ++k)
         ofHolds.template middleRows<Dim>(Dim * k) = heldPart<Dim>(cell, k) * modes.template middleRows<Dim>(Dim * k);
     for (const Eigen::Index nModes : {Eigen::Index(Dim), modes.cols()}) {
-        const Eigen::VectorXd motion = ofHolds.leftCols(nModes).completeOrthogonalDecomposition().solve(held);
+        const Eigen::VectorXd motion = leastSquares(ofHolds.leftCols(nModes), held);
         if ((ofHolds.leftCols(nModes) * motion - held).norm() > 1e-9 * held.norm()) continue;
         const NodalVector<Dim> all = modes.leftCols(nModes) * motion;
         for (int k = 0; k <= Dim; ++k) frame[k] = all.template segment<Dim>(Dim * k);
@@ -94,7 +94,7 @@ double wayTo(const Vec<Dim>& w, const Vec<Dim>& a, double limit) {
 }
 
 template <int Dim>
-double largestNorm(const Velocities<Dim>& u, const Vec<Dim>& from) {
+double largestNorm(const CellVelocities<Dim>& u, const Vec<Dim>& from) {
     double largest = 0;
     for (const auto& one : u) largest = std::max(largest, (one - from).norm());
     return largest;
@@ -112,7 +112,7 @@ double MeetingCell<Dim>::divergence() const {
 template <int Dim>
 bool stopClosing(MeetingCell<Dim>& cell) {
     const double div = cell.divergence();
-    Velocities<Dim> change;  // by an impulse of 1
+    CellVelocities<Dim> change;  // by an impulse of 1
     double mobility = 0;
     for (int k = 0; k <= Dim; ++k) {
         if (!(cell.mass[k] > 0)) return false;
@@ -123,7 +123,7 @@ bool stopClosing(MeetingCell<Dim>& cell) {
     const auto frame = frameOf<Dim>(cell);
     if (!frame) return false;
 
-    Velocities<Dim> before, after;
+    CellVelocities<Dim> before, after;
     Vec<Dim> together = Vec<Dim>::Zero();
     double mass = 0;
     for (int k = 0; k <= Dim; ++k) {
