@@ -8,6 +8,20 @@
 
 namespace pfem {
 
+/// The same domains with a stress point in each cell, whatever the scheme.
+template <int Dim>
+SmoothingDomains<Dim> pointsInCells(SmoothingDomains<Dim> domains) {
+    domains.scheme = Integration::elemental;
+    return domains;
+}
+
+/// The same domains with a stress point at each node.
+template <int Dim>
+SmoothingDomains<Dim> pointsAtNodes(SmoothingDomains<Dim> domains) {
+    domains.scheme = Integration::nodal;
+    return domains;
+}
+
 template <int Dim>
 class PointRows {
 public:

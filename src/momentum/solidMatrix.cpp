@@ -160,9 +160,7 @@ SymmetricMatrix solidMatrix(const Solids<Dim>& solids, const SmoothingDomains<Di
     const auto damping = [&](const Solid& material, double size) {
         return dampingTime(material, controls.damping, size);
     };
-    SmoothingDomains<Dim> cells = domains, nodes = domains;
-    cells.scheme = Integration::elemental;
-    nodes.scheme = Integration::nodal;
+    const auto cells = pointsInCells<Dim>(domains), nodes = pointsAtNodes<Dim>(domains);
     std::vector<Stiffness<Dim>> terms;
     terms.push_back(stiffness<Dim>(solids, domains, [&](int p, const Solid& material) {
         const double tangent = strainTime(material, midpoint.dt);
