@@ -197,7 +197,8 @@ TYPED_TEST(MidpointRules, constantAccelerationIsExact) {
     for (const double gamma : {0.5, 0.75, 1.0}) {
         const MidpointRule midpoint{0.1, gamma};
         const auto some = someVectors<Dim>(3, 5);
-        const Vec<Dim> a = 10 * some[0], v = some[1], x = some[2];
+        const Vec<Dim> a = 10 * some[0];
+        const Vec<Dim>&v = some[1], &x = some[2];
         const Vec<Dim> next = v + 0.1 * a;
         EXPECT_LT((midpoint.template acceleration<Dim>(v, next) - a).norm(), 1e-13);
         EXPECT_LT((midpoint.template position<Dim>(x, v, next) - (x + 0.1 * v + 0.005 * a)).norm(), 1e-15);
