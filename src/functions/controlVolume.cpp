@@ -20,10 +20,9 @@ std::vector<double> massOfNodes(const Problem<Dim>& problem, const State<Dim>& s
     auto own = state.mesh.fluid;
     own.nodes.resize(nOwnCells<Dim>(state));
     auto mass = fluidMass<Dim>(problem, own, state.nodes.x);
-    const auto first = std::find_if(problem.materials.begin(), problem.materials.end(),
-                                    [](const Material& m) { return m.kind == MaterialKind::fluid; });
-    if (first == problem.materials.end()) return mass;
-    for (int i = 0; i < nOwnNodes<Dim>(state); ++i) mass[i] += first->fluid.rho * state.nodes.dropVolume[i];
+    const ViscousFluid* first = firstFluid(problem.materials);
+    if (!first) return mass;
+    for (int i = 0; i < nOwnNodes<Dim>(state); ++i) mass[i] += first->rho * state.nodes.dropVolume[i];
     return mass;
 }
 

@@ -42,6 +42,12 @@ std::vector<Material> readMaterials(const Dictionary& dict) {
     return materials;
 }
 
+const ViscousFluid* firstFluid(const std::vector<Material>& all) {
+    for (const auto& m : all)
+        if (m.kind == MaterialKind::fluid) return &m.fluid;
+    return nullptr;
+}
+
 const Material& findMaterial(const std::vector<Material>& all, const std::string& name) {
     std::vector<std::string> names;
     for (const auto& m : all) {

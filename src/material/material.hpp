@@ -53,6 +53,9 @@ struct Material {
 /// Read all sub-dictionaries of constant/materials. Throws UserError for unknown types and absurd numbers.
 std::vector<Material> readMaterials(const Dictionary& dict);
 
+/// The first of them that is a fluid; null: none.
+const ViscousFluid* firstFluid(const std::vector<Material>& all);
+
 /// The material called `name`. Throws UserError with the list of names.
 const Material& findMaterial(const std::vector<Material>& all, const std::string& name);
 

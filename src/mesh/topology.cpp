@@ -61,9 +61,7 @@ void findContinued(int node, const std::vector<Vec<Dim>>& planes, const Points<D
                            std::any_of(planes.begin(), planes.end(),
                                        [&](const Vec<Dim>& own) { return std::abs(own.dot(n)) > 1 - 1e-6; });
         if (!along || distanceToFace<Dim>(x, wall.nodes, x[node]) > size) continue;
-        const auto& own = t.supports[node];
-        if (std::none_of(own.begin(), own.end(), [&](int f) { return f >= 0 && t.walls[f].region == wall.region; }))
-            addSupport(t.supports[node], w);
+        if (!isOnRegion<Dim>(t.walls, t.supports[node], wall.region)) addSupport(t.supports[node], w);
     }
 }
 

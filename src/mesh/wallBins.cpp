@@ -31,11 +31,8 @@ Supports<Dim> WallBins<Dim>::supportsAt(const Vec<Dim>& point, double near) cons
     });
     std::sort(found.begin(), found.end());
     Supports<Dim> supports = unsupported<Dim>();
-    for (const int w : found) {
-        const bool known = std::any_of(supports.begin(), supports.end(),
-                                       [&](int face) { return face >= 0 && walls_[face].region == walls_[w].region; });
-        if (!known) addSupport(supports, w);
-    }
+    for (const int w : found)
+        if (!isOnRegion<Dim>(walls_, supports, walls_[w].region)) addSupport(supports, w);
     return supports;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // Rigid walls as one geometry: faces that join to regions along which nodes slide.
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -32,6 +33,13 @@ struct WallFace {
     bool bent = false;                   // its region is, here
     std::array<Vec<Dim>, Dim> normal{};  // into the fluid at each node: the mean of the region's faces there
 };
+
+/// Is one of these faces of this region?
+template <int Dim>
+bool isOnRegion(const std::vector<WallFace<Dim>>& walls, const Supports<Dim>& supports, int region) {
+    return std::any_of(supports.begin(), supports.end(),
+                       [&](int face) { return face >= 0 && walls[face].region == region; });
+}
 
 /// All faces of all patches in their order, as counted by Nodes::wall. `isWall`: per patch; x: of the walls' points.
 template <int Dim>

@@ -28,7 +28,7 @@ PerNode<double> fluidMass(const Problem<Dim>& problem, const Cells<Dim>& cells, 
     std::vector<double> mass(domains.nNodes(), 0.0);
     const auto isFluid = [](const Material& m) { return m.kind == MaterialKind::fluid; };
     if (std::count_if(problem.materials.begin(), problem.materials.end(), isFluid) == 1) {
-        const double rho = std::find_if(problem.materials.begin(), problem.materials.end(), isFluid)->fluid.rho;
+        const double rho = firstFluid(problem.materials)->rho;
         parallelFor(domains.nNodes(), [&](int i) { mass[i] = rho * domains.volume[i]; });
         return mass;
     }

@@ -84,11 +84,10 @@ void moveMiddle(const Step<Dim>& step, Trial<Dim>& trial) {
 /// steps that are short beside sqrt(h/g), where nothing moves far and a fall needs no pressure [Pa/m].
 template <int Dim>
 Vec<Dim> depthGradient(const Problem<Dim>& problem, const Nodes<Dim>& nodes, double dt) {
-    const auto fluid = std::find_if(problem.materials.begin(), problem.materials.end(),
-                                    [](const Material& m) { return m.kind == MaterialKind::fluid; });
+    const ViscousFluid* fluid = firstFluid(problem.materials);
     const double h = nodes.h.empty() ? 0 : *std::min_element(nodes.h.begin(), nodes.h.end());
-    if (fluid == problem.materials.end() || problem.gravity.norm() * dt * dt < 0.1 * h) return Vec<Dim>::Zero();
-    return fluid->fluid.rho * problem.gravity;
+    if (!fluid || problem.gravity.norm() * dt * dt < 0.1 * h) return Vec<Dim>::Zero();
+    return fluid->rho * problem.gravity;
 }
 
 /// p + gradient . x of a wet node; others keep p.

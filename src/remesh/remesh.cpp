@@ -26,10 +26,7 @@ template <int Dim>
 Supports<Dim> supportsOf(const Topology<Dim>& topology, const Points<Dim>& x, std::array<int, 2> edge) {
     Supports<Dim> supports = unsupported<Dim>();
     const auto hold = [&](int wall) {
-        const bool known = std::any_of(supports.begin(), supports.end(), [&](int other) {
-            return other >= 0 && topology.walls[other].region == topology.walls[wall].region;
-        });
-        if (!known) addSupport(supports, wall);
+        if (!isOnRegion<Dim>(topology.walls, supports, topology.walls[wall].region)) addSupport(supports, wall);
     };
     for (const auto& face : topology.faces) {
         if (face.wall < 0) continue;

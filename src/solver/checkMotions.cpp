@@ -34,16 +34,16 @@ template <int Dim, class OwnerOf>
 std::optional<Quarrel> quarrelOf(const Dictionary& dict, const BoundaryConditions<Dim>& conditions,
                                  const Mesh<Dim>& mesh, const OwnerOf& ownerOf) {
     std::map<int, std::pair<std::size_t, int>> first;  // by owners: patch and node
+    std::vector<std::string> motion(mesh.patches.size());
     for (std::size_t k = 0; k < mesh.patches.size(); ++k) {
         if (!conditions.type[k]->mayMove) continue;
+        motion[k] = motionText(dict.subDict(mesh.patches[k].name));
         for (const auto& face : mesh.patches[k].faces)
             for (const int node : face) {
                 const int owner = ownerOf(node);
                 if (owner < 0) continue;
                 const auto [other, at] = first.emplace(owner, std::pair(k, node)).first->second;
-                if (motionText(dict.subDict(mesh.patches[k].name)) !=
-                    motionText(dict.subDict(mesh.patches[other].name)))
-                    return Quarrel{k, other, node, at};
+                if (motion[k] != motion[other]) return Quarrel{k, other, node, at};
             }
     }
     return std::nullopt;

@@ -55,6 +55,11 @@ std::string placeText(const Vec<Dim>& x) {
 }
 
 template <int Dim>
+void failAt(const Nodes<Dim>& nodes, int i, const std::string& what) {
+    throw StepFailure(fmt::format("node {} at {} {}", nodes.id[i], placeText<Dim>(nodes.x[i]), what), {nodes.id[i]});
+}
+
+template <int Dim>
 State<Dim> withNodesOf(State<Dim> last, const Nodes<Dim>& nodes) {
     for (int i = 0, j = 0; i < last.nodes.size(); ++i) {  // both sorted by id
         while (j < nodes.size() && nodes.id[j] < last.nodes.id[i]) ++j;
@@ -104,9 +109,10 @@ Inspection<Dim> inspect(const FailedStep<Dim>& failure, const State<Dim>& last) 
     return result;
 }
 
-#define PFEM_INSTANTIATE(D)                                      \
-    template State<D> withNodesOf<D>(State<D>, const Nodes<D>&); \
-    template std::string placeText<D>(const Vec<D>&);            \
+#define PFEM_INSTANTIATE(D)                                            \
+    template State<D> withNodesOf<D>(State<D>, const Nodes<D>&);       \
+    template std::string placeText<D>(const Vec<D>&);                  \
+    template void failAt<D>(const Nodes<D>&, int, const std::string&); \
     template Inspection<D> inspect<D>(const FailedStep<D>&, const State<D>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)

@@ -38,6 +38,10 @@ std::vector<Id> idsOf(const Nodes<Dim>& nodes, const Indices& indices) {
 template <int Dim>
 std::string placeText(const Vec<Dim>& x);
 
+/// Throws StepFailure: "node 17 at (0.1 0.2) " and `what`.
+template <int Dim>
+[[noreturn]] void failAt(const Nodes<Dim>& nodes, int i, const std::string& what);
+
 /// A trial state that can be written and looked at, with its nodes flagged that the failure concerns: those that it
 /// names, nodes whose numbers are not finite, corners of inverted solid elements. What is not finite is zero;
 /// positions then are those of `last`. When nothing is found: the fastest node.

@@ -1,7 +1,5 @@
 #include "solver/fluidEnergy.hpp"
 
-#include <algorithm>
-
 #include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
 #include "momentum/consistentMass.hpp"
@@ -36,11 +34,10 @@ StoredEnergy fluidEnergy(const Problem<Dim>& problem, const State<Dim>& state, F
         return StoredEnergy{0.5 * share * fluid.rho * squaredSpeed, 0.5 * share * squaredPressure / fluid.kappa,
                             share * fluid.rho * height};
     });
-    const auto first = std::find_if(problem.materials.begin(), problem.materials.end(),
-                                    [](const Material& m) { return m.kind == MaterialKind::fluid; });
-    const int n = first == problem.materials.end() ? 0 : nOwnNodes<Dim>(state);
+    const ViscousFluid* first = firstFluid(problem.materials);
+    const int n = first ? nOwnNodes<Dim>(state) : 0;
     for (int i = 0; i < n; ++i) {
-        const double ofDrop = first->fluid.rho * nodes.dropVolume[i];
+        const double ofDrop = first->rho * nodes.dropVolume[i];
         energy.kinetic += 0.5 * ofDrop * nodes.v[i].squaredNorm();
         energy.potential -= ofDrop * problem.gravity.dot(nodes.x[i]);
     }

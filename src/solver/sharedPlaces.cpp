@@ -28,18 +28,18 @@ struct Holder {
 struct Rule {
     Role first, second;
     const char* done;
+    const char* byContact = nullptr;  // what is done with a file constant/contact, if that is something else
 };
-
-constexpr const char* byContact = "they meet by contact (constant/contact); the wall goes on under the solid";
-constexpr const char* free =
-    "nothing holds the solid at the wall, and it can go through: write a file constant/contact, or name its edge there "
-    "in 'patches' (system/meshDict) and make it clamped or symmetry";
 
 constexpr Rule rules[] = {
     {Role::wall, Role::clamp, "{1} holds the solid's nodes; those of the wall are its own"},
     {Role::wall, Role::plane, "the solid's nodes slide along {1}, not along the wall"},
     {Role::wall, Role::skin, "the fluid's nodes slide along both"},
-    {Role::wall, Role::solid, free},
+    {Role::wall, Role::solid,
+     "nothing holds the solid at the wall, and it can go through: write a file constant/contact, or name its edge "
+     "there "
+     "in 'patches' (system/meshDict) and make it clamped or symmetry",
+     "they meet by contact (constant/contact); the wall goes on under the solid"},
     {Role::opening, Role::clamp, "the fluid sticks to the solid: nothing passes at its nodes"},
     {Role::opening, Role::plane, "the fluid sticks to the solid: nothing passes at its nodes"},
     {Role::opening, Role::skin, "the fluid's nodes slide along the solid, and pass"},
@@ -109,7 +109,7 @@ std::vector<SharedPlace<Dim>> sharedPlaces(const BoundaryConditions<Dim>& condit
                     ++known->count;
                     continue;
                 }
-                const char* done = contact && rule->done == free ? byContact : rule->done;
+                const char* done = contact && rule->byContact ? rule->byContact : rule->done;
                 places.push_back(
                     {a->title(), b->title(), state.nodes.x[i], 1, fmt::format(fmt::runtime(done), a->name, b->name)});
             }

@@ -171,13 +171,9 @@ private:
     void goRound(int i, int region, int next) {
         dropRegion(i, region);
         if (topology_.freeSurface[i] || topology_.isolated(i)) return;
-        if (!isHeldByRegion(i, regionOf(next))) addSupport(nodes_.wall[i], next);
+        if (!isOnRegion<Dim>(topology_.walls, nodes_.wall[i], regionOf(next))) addSupport(nodes_.wall[i], next);
         settleOnNearest(i);
         keepVelocity(i);
-    }
-    bool isHeldByRegion(int i, int region) const {
-        const auto& own = nodes_.wall[i];
-        return std::any_of(own.begin(), own.end(), [&](int wall) { return wall >= 0 && regionOf(wall) == region; });
     }
 
     /// Where three walls and more meet at an edge, a little before it.

@@ -68,10 +68,7 @@ TEST(MomentumBalance, InSpace) {
 
 // Water that sloshes from wall to wall: what the walls do is what the water's momentum becomes, within 2 % of it.
 TEST(MomentumBalance, OfAWaveInATank) {
-    TestCase c = makeCase(
-        "meshSize 0.05; bodies ( water { type fluid; material water; vertices ((0 0) (1 0) (1 0.4) (0 0.6)); } ); "
-        "walls ( tank { points ((0 1) (0 0) (1 0) (1 1)); } );",
-        water, "tank { type slip; }");
+    TestCase c = tiltedTank("0.05", "type slip;");
     c.start(1e-3);
     const ControlVolume<2> all{{-1, 0}, {1, 0}, 3, 0.1}, half{{0.5, 0}, {1, 0}, 2, 0.2};
     double sums[2] = {0, 0}, through = 0;

@@ -29,8 +29,7 @@ CaseOf<Dim> atLevel() {
             Vec<3>::Zero(), {0.7, 0.3, 0.6}, 0.1, [](const Vec<3>& x) { return x[0] < 0.5 && x[2] < 0.4; },
             [](const Vec<3>& x) { return x[0] > 0.5; }, water + rubber);
         c.state.mesh.patches.push_back(openBox(c.state, "tank", {1, 0.3, 0.8}));
-        c.problem.conditions = readBoundaryConditions<3>(Dictionary::parse("tank { type slip; }", "boundaryConditions"),
-                                                         c.state.mesh.patches);
+        setConditions(c, "tank { type slip; }");
         separateFromWalls<3>({true}, c.state);
         return c;
     }

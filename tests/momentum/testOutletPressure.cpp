@@ -23,8 +23,7 @@ CaseOf<Dim> openPool() {
                         water, outlet);
     } else {
         TestCase3 c = boxOfWater({0.5, 0.3, 0.4}, {0.5, 0.3, 0.8}, 0.1, "slip", 1e-3, 0.2);
-        c.problem.conditions =
-            readBoundaryConditions<3>(Dictionary::parse(outlet, "boundaryConditions"), c.state.mesh.patches);
+        setConditions(c, outlet);
         return c;
     }
 }

@@ -218,8 +218,7 @@ CaseOf<Dim> pulledBlock() {
             Vec<3>::Zero(), {1, 0.5, 0.4}, 0.1, [](const Vec<3>&) { return false; }, [](const Vec<3>&) { return true; },
             water + rubber);
         c.state.mesh.patches.push_back(solidPatch(c.state, "end", [](const Vec<3>& x) { return x[0] > 1 - 1e-9; }));
-        c.problem.conditions =
-            readBoundaryConditions<3>(Dictionary::parse(pull, "boundaryConditions"), c.state.mesh.patches);
+        setConditions(c, pull);
         return c;
     }
 }

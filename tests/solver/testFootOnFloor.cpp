@@ -113,8 +113,7 @@ CaseOf<Dim> gate(bool rigid) {
         if (!rigid)
             c.state.mesh.patches.push_back(
                 solidPatch(c.state, "top", [](const Vec<3>& x) { return x[2] > 0.14 - 1e-9; }));
-        c.problem.conditions =
-            readBoundaryConditions<3>(Dictionary::parse(conditions, "boundaryConditions"), c.state.mesh.patches);
+        setConditions(c, conditions);
         std::vector<bool> isWall(c.state.mesh.patches.size(), false);
         isWall[0] = true;
         separateFromWalls<3>(isWall, c.state);

@@ -97,10 +97,7 @@ TEST(ShakenTank, pressureConverges) {
 
 // An open tank under steady acceleration a: the surface stands at the slope -a/g and stays there.
 TEST(OpenTank, inclinedSurfaceStays) {
-    TestCase c = makeCase(
-        "meshSize 0.1; bodies ( water { type fluid; material water; vertices ((0 0) (1 0) (1 0.4) (0 0.6)); } );"
-        " walls ( tank { points ((0 1) (0 0) (1 0) (1 1)); } );",
-        water, "tank { type slip; motion { displacement polynomial (((0.981 0 0) (2 0 0))); } }");
+    TestCase c = tiltedTank("0.1", "type slip; motion { displacement polynomial (((0.981 0 0) (2 0 0))); }");
     c.tolerance(1e-11);
     const Vec<2> a(0.2 * g, 0);
     c.start(5e-3);

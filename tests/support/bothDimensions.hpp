@@ -23,6 +23,12 @@ using CaseOf = std::conditional_t<Dim == 2, TestCase, TestCase3>;
 
 using IsIn = std::function<bool(const Vec<3>&)>;
 
+/// Conditions of the patches that the case has now, as in constant/boundaryConditions.
+inline void setConditions(TestCase3& c, const std::string& text) {
+    c.problem.conditions =
+        readBoundaryConditions<3>(Dictionary::parse(text, "boundaryConditions"), c.state.mesh.patches);
+}
+
 /// Fluid and solid on one lattice of cubes of size h, each whose middle is in the one or the other; gravity along -z.
 /// `materials`: the fluid, the solid.
 inline TestCase3 onLattice(const Vec<3>& low, const Vec<3>& high, double h, const IsIn& isFluid, const IsIn& isSolid,
@@ -34,7 +40,7 @@ inline TestCase3 onLattice(const Vec<3>& low, const Vec<3>& high, double h, cons
     addLattice(c.state, c.state.mesh.solid, 1, low, high, h, isSolid);
     c.state.nodes.X = c.state.nodes.x;
     c.problem.gravity = {0, 0, -9.81};
-    c.problem.conditions = readBoundaryConditions<3>(Dictionary::parse("", "boundaryConditions"), {});
+    setConditions(c, "");
     return c;
 }
 

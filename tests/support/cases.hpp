@@ -61,6 +61,14 @@ inline std::string rectangle(double x0, double y0, double x1, double y1) {
     return "vertices (" + point(x0, y0) + point(x1, y0) + point(x1, y1) + point(x0, y1) + ");";
 }
 
+/// A tank of 1 m with 0.5 m of water, whose surface begins at a slope of -0.2; `tank`: the condition of its walls.
+inline TestCase tiltedTank(const std::string& meshSize, const std::string& tank) {
+    return makeCase("meshSize " + meshSize +
+                        "; bodies ( water { type fluid; material water; vertices ((0 0) (1 0) (1 0.4) (0 0.6)); } );"
+                        " walls ( tank { points ((0 1) (0 0) (1 0) (1 1)); } );",
+                    water, "tank { " + tank + " }");
+}
+
 /// Fluid (below y = 0.5) on a solid of the unit square, 0.1 m cells, all nodes shifted at random: an irregular mesh
 /// with an interface that is not straight. Distinct masses and stiffnesses, so that a swap is seen.
 inline TestCase irregularPair() {
