@@ -7,6 +7,7 @@
 #include "continuity/riderColumns.hpp"
 #include "continuity/stabilisation.hpp"
 #include "linear/multigridSolver.hpp"
+#include "linear/saddle.hpp"
 #include "linear/solvers.hpp"
 #include "momentum/surfaceStiffness.hpp"
 
@@ -80,11 +81,9 @@ int sharedVelocities(const NodeToNodes& ring, const SolidDofs<Dim>& dofs, int i)
 
 /// Where the columns start, from the neighbours in the fluid and the matrix of the solid.
 template <int Dim>
-std::vector<int> columnStarts(const Step<Dim>& step, const Unknowns& u, const SolidBlock<Dim>& block,
-                              const RiderColumns<Dim>& riders) {
+std::vector<int> columnStarts(const Step<Dim>& step, const Unknowns& u, const SolidDofs<Dim>& dofs,
+                              const SymmetricMatrix& solid, const RiderColumns<Dim>& riders) {
     const NodeToNodes& ring = step.topology.ring;
-    const SolidDofs<Dim>& dofs = block.dofs;
-    const SymmetricMatrix& solid = block.matrix;
     const auto ownUnknowns = [&](int node) {  // where nothing rides, each node's own
         return riders.any() && dofs.local[node] >= 0 ? 0 : nVelocities<Dim>(u, dofs, node);
     };
@@ -238,12 +237,8 @@ double solidScale(const Step<Dim>& step, const ContinuityControls& controls) {
     return step.gamma() / std::max(controls.complianceScale, 1e-12);
 }
 
-/// -A/c of the solids.
-template <int Dim>
-void addSolid(const Parts<Dim>& parts, SymmetricMatrix& A) {
-    const double scale = solidScale<Dim>(parts.step, parts.controls);
-    const SymmetricMatrix& solid = parts.solid.matrix;
-    const int first = parts.u.nPressure;
+/// -A/c of the solids, from column `first` on.
+void addSolid(const SymmetricMatrix& solid, double scale, int first, SymmetricMatrix& A) {
     for (int j = 0; j < solid.n; ++j)
         for (int s = solid.start[j]; s < solid.start[j + 1]; ++s) {
             const int at = A.start[first + j] + s - solid.start[j];
@@ -335,11 +330,14 @@ ContinuitySystem<Dim>::ContinuitySystem(const Step<Dim>& step, const ContinuityC
     const Parts<Dim> of{step, controls, fluid, stabilisation, solid, riders, u};
     SymmetricMatrix A;
     A.n = u.n;
-    A.start = columnStarts<Dim>(step, u, solid, riders);
+    const SymmetricMatrix diagonal =
+        byMultigrid<Dim>(controls, u.nPressure) ? diagonalOf(solid.matrix) : SymmetricMatrix();
+    const SymmetricMatrix& elastic = diagonal.n > 0 ? diagonal : solid.matrix;  // a multigrid asks for no more
+    A.start = columnStarts<Dim>(step, u, solid.dofs, elastic, riders);
     A.row.resize(A.start[u.n]);
     A.value.resize(A.start[u.n]);
     addCells<Dim>(of, A);
-    addSolid<Dim>(of, A);
+    addSolid(elastic, solidScale<Dim>(step, controls), u.nPressure, A);
     if (!strong) addFreeSurface<Dim>(of, x, A);
 
     solver_ = makeSolver<Dim>(controls, A, placesOfUnknowns<Dim>(step, x, u, solid.dofs), {u.nPressure, u.nSolid},

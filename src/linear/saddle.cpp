@@ -51,6 +51,34 @@ private:
     std::vector<std::pair<int, double>> entries_;
 };
 
+/// The same row at the end of another matrix.
+void appendRow(const SparseRows& A, int i, SparseRows& to) {
+    to.column.insert(to.column.end(), A.column.begin() + A.start[i], A.column.begin() + A.start[i + 1]);
+    to.value.insert(to.value.end(), A.value.begin() + A.start[i], A.value.begin() + A.start[i + 1]);
+    to.start.push_back(static_cast<int>(to.column.size()));
+}
+
+/// One matrix of blocks of rows.
+SparseRows joined(const std::vector<SparseRows>& blocks) {
+    struct Begin {
+        int row = 0, entry = 0;
+    };
+    std::vector<Begin> begin(1);
+    for (const SparseRows& block : blocks)
+        begin.push_back({begin.back().row + block.n(), begin.back().entry + block.start.back()});
+    SparseRows A;
+    A.start.resize(static_cast<std::size_t>(begin.back().row) + 1);
+    A.column.resize(begin.back().entry);
+    A.value.resize(begin.back().entry);
+    parallelTasks(static_cast<int>(blocks.size()), [&](int b) {
+        const auto [row, entry] = begin[b];
+        for (int i = 1; i <= blocks[b].n(); ++i) A.start[row + i] = entry + blocks[b].start[i];
+        std::copy(blocks[b].column.begin(), blocks[b].column.end(), A.column.begin() + entry);
+        std::copy(blocks[b].value.begin(), blocks[b].value.end(), A.value.begin() + entry);
+    });
+    return A;
+}
+
 }  // namespace
 
 Eigen::VectorXd multiply(const SparseRows& A, const Eigen::VectorXd& x) {
@@ -63,6 +91,12 @@ Eigen::VectorXd multiply(const SparseRows& A, const Eigen::VectorXd& x) {
     return y;
 }
 
+SymmetricMatrix diagonalOf(const SymmetricMatrix& A) {
+    SymmetricMatrix D = symmetricPattern(std::vector<std::vector<int>>(A.n));
+    for (int j = 0; j < A.n; ++j) D.value[j] = A.value[A.start[j]];
+    return D;
+}
+
 Saddle split(const SymmetricMatrix& A, const SaddleSizes& sizes) {
     const int nP = sizes.nPressures;
     const auto forColumns = [&](const auto& visit) {  // visit(pressure, row, value)
@@ -70,23 +104,28 @@ Saddle split(const SymmetricMatrix& A, const SaddleSizes& sizes) {
             for (int s = A.start[j]; s < A.start[j + 1]; ++s) visit(j, A.row[s], A.value[s]);
     };
     Saddle saddle;
-    saddle.K = byRows(nP, [&](const auto& visit) {
-        forColumns([&](int j, int i, double value) {
-            if (i >= nP) return;
-            visit(i, j, value);
-            if (i != j) visit(j, i, value);
+    const auto splitPressures = [&] {
+        saddle.K = byRows(nP, [&](const auto& visit) {
+            forColumns([&](int j, int i, double value) {
+                if (i >= nP) return;
+                visit(i, j, value);
+                if (i != j) visit(j, i, value);
+            });
         });
-    });
-    saddle.B = byRows(nP, [&](const auto& visit) {
-        forColumns([&](int j, int i, double value) {
-            if (i >= nP) visit(j, i - nP, value);
+    };
+    const auto splitVelocities = [&] {
+        saddle.B = byRows(nP, [&](const auto& visit) {
+            forColumns([&](int j, int i, double value) {
+                if (i >= nP) visit(j, i - nP, value);
+            });
         });
-    });
-    saddle.Bt = byRows(A.n - nP, [&](const auto& visit) {
-        forColumns([&](int j, int i, double value) {
-            if (i >= nP) visit(i - nP, j, value);
+        saddle.Bt = byRows(A.n - nP, [&](const auto& visit) {
+            forColumns([&](int j, int i, double value) {
+                if (i >= nP) visit(i - nP, j, value);
+            });
         });
-    });
+    };
+    parallelInvoke(A.n, splitPressures, splitVelocities);
     for (int q = nP; q < A.n; ++q) saddle.inverse.push_back(-1 / A.value[A.start[q]]);
     return saddle;
 }
@@ -94,6 +133,7 @@ Saddle split(const SymmetricMatrix& A, const SaddleSizes& sizes) {
 SparseRows eliminateDiagonal(const Saddle& saddle) {
     constexpr int block = 512;
     const int n = saddle.K.n(), nBlocks = (n + block - 1) / block;
+    const auto meetsVelocities = [&](int i) { return saddle.B.start[i] < saddle.B.start[i + 1]; };
     const auto forRow = [&](int i, Row& row) {
         const auto& [K, B, Bt] = std::tie(saddle.K, saddle.B, saddle.Bt);
         for (int s = K.start[i]; s < K.start[i + 1]; ++s) row.add(K.column[s], K.value[s]);
@@ -110,6 +150,10 @@ SparseRows eliminateDiagonal(const Saddle& saddle) {
 #pragma omp for schedule(static)
         for (int b = 0; b < nBlocks; ++b)
             for (int i = b * block; i < std::min(n, (b + 1) * block); ++i) {
+                if (!meetsVelocities(i)) {
+                    appendRow(saddle.K, i, part[b]);
+                    continue;
+                }
                 forRow(i, row);
                 for (const auto& [column, value] : row.sorted()) {
                     part[b].column.push_back(column);
@@ -119,14 +163,7 @@ SparseRows eliminateDiagonal(const Saddle& saddle) {
                 row.clear();
             }
     }
-    SparseRows S;
-    for (const SparseRows& each : part) {
-        const int before = static_cast<int>(S.column.size());
-        for (int i = 1; i <= each.n(); ++i) S.start.push_back(before + each.start[i]);
-        S.column.insert(S.column.end(), each.column.begin(), each.column.end());
-        S.value.insert(S.value.end(), each.value.begin(), each.value.end());
-    }
-    return S;
+    return joined(part);
 }
 
 }  // namespace pfem

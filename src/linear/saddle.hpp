@@ -30,6 +30,10 @@ struct Saddle {
     std::vector<double> inverse;  // of M's diagonal, per velocity
 };
 
+/// The diagonal of A, as a matrix.
+SymmetricMatrix diagonalOf(const SymmetricMatrix& A);
+
+/// Columns of A with ascending rows; so are the columns of each row of the blocks.
 Saddle split(const SymmetricMatrix& A, const SaddleSizes& sizes);
 
 /// K + B diag(M)^{-1} B^T, columns ascending: what is left of a matrix without elastic velocities, an estimate with

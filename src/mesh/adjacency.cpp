@@ -108,31 +108,50 @@ NodeToNodes nodeToNodes(const std::vector<Simplex<Dim>>& cells, const NodeToCell
     return result;
 }
 
+/// A face among those whose lowest node is the same.
+struct SeenFace {
+    std::uint64_t others;  // its other nodes, the lower one first
+    int at;                // Dim + 1 times its cell + corner
+
+    bool operator<(const SeenFace& face) const { return others < face.others; }
+};
+
+/// The nodes of a face but for its lowest one, as one number.
+template <int Dim>
+std::uint64_t otherNodes(const Face<Dim>& face, int lowest) {
+    std::uint64_t low = 0, high = 0;  // in the plane there is one
+    for (const int node : face) {
+        const auto other = static_cast<std::uint64_t>(node);
+        if (node == lowest) continue;
+        low = std::min(high, other);
+        high = std::max(high, other);
+    }
+    return low << 32 | high;
+}
+
 /// Faces of one cell alone. Each face is looked for among those whose lowest node is the same.
 template <int Dim>
 std::vector<unsigned char> openFaces(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around) {
-    using Seen = std::pair<std::array<int, Dim - 1>, int>;  // a face's other nodes, and Dim + 1 times its cell + corner
     std::vector<unsigned char> open(cells.size() * (Dim + 1), 0);
 #pragma omp parallel if (cells.size() > shortLoop)
     {
-        std::vector<Seen> seen;
+        std::vector<SeenFace> seen;
 #pragma omp for schedule(static)
         for (int i = 0; i < static_cast<int>(around.start.size()) - 1; ++i) {
             seen.clear();
-            for (int s = around.start[i]; s < around.start[i + 1]; ++s)
-                for (int k = 0; k <= Dim; ++k) {
-                    if (k == around.corner[s]) continue;
-                    Face<Dim> face = oppositeFace<Dim>(cells[around.cell[s]], k);
-                    std::sort(face.begin(), face.end());
-                    if (face[0] != i) continue;
-                    seen.emplace_back();
-                    std::copy(face.begin() + 1, face.end(), seen.back().first.begin());
-                    seen.back().second = around.cell[s] * (Dim + 1) + k;
-                }
+            for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
+                const auto& cell = cells[around.cell[s]];
+                int lower = 0;  // nodes of the cell
+                for (const int node : cell) lower += node < i;
+                for (int k = 0; lower < 2 && k <= Dim; ++k)  // i is the lowest of the face opposite to the lower one
+                    if (k != around.corner[s] && (lower == 0 || cell[k] < i))
+                        seen.push_back(
+                            {otherNodes<Dim>(oppositeFace<Dim>(cell, k), i), around.cell[s] * (Dim + 1) + k});
+            }
             std::sort(seen.begin(), seen.end());
             for (std::size_t f = 0; f < seen.size(); ++f)
-                open[seen[f].second] = (f == 0 || seen[f - 1].first != seen[f].first) &&
-                                       (f + 1 == seen.size() || seen[f + 1].first != seen[f].first);
+                open[seen[f].at] = (f == 0 || seen[f - 1].others != seen[f].others) &&
+                                   (f + 1 == seen.size() || seen[f + 1].others != seen[f].others);
         }
     }
     return open;

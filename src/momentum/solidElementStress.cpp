@@ -22,10 +22,11 @@ PerCell<Tensor<Dim>> hyperelasticElementStress(const SmoothingDomains<Dim>& refe
     const auto F = elementGradient<Dim>(reference, x);
     const auto pointF = toPoints<Dim>(reference, F);
     PerPoint<Tensor<Dim>> P(sigma.size(), Tensor<Dim>::Zero());
-    for (int p = 0; p < nStressPoints<Dim>(reference); ++p)
+    parallelFor(nStressPoints<Dim>(reference), [&](int p) {
         if (isStressPoint<Dim>(reference, p)) P[p] = firstPiola<Dim>(sigma[p], pointF[p]);
+    });
     auto stress = fromPoints<Dim>(reference, std::move(P));
-    for (int e = 0; e < reference.nCells(); ++e) stress[e] *= F[e].transpose() / F[e].determinant();
+    parallelFor(reference.nCells(), [&](int e) { stress[e] *= F[e].transpose() / F[e].determinant(); });
     return stress;
 }
 
@@ -56,13 +57,13 @@ PerCell<Tensor<Dim>> solidElementStress(const Solids<Dim>& solids, const Smoothi
     });
     const auto L = elementGradient<Dim>(end, trial.v);
     const auto mean = fromPoints<Dim>(end, toPoints<Dim>(end, L));
-    for (int e = 0; e < end.nCells(); ++e) {
+    parallelFor(end.nCells(), [&](int e) {
         const Solid& material = problem.solid(cells.material[e]);
         const Tensor<Dim> zigzag = L[e] - mean[e];
         sum[e] += dampingTime(material, controls.damping, cellMean<Dim>(end, trial.h, e)) *
                   stressTensor<Dim>(elasticStress<Dim>(material.elastic, 0.5 * (zigzag + zigzag.transpose())));
         if (!stress.pressure.empty()) sum[e] -= cellMean<Dim>(end, stress.pressure, e) * Tensor<Dim>::Identity();
-    }
+    });
     return sum;
 }
 

@@ -80,13 +80,13 @@ template <int Dim>
 PerNode<double> volumeRatio(const SmoothingDomains<Dim>& reference, const Points<Dim>& x) {
     const NodeToCells& around = *reference.around;
     PerNode<double> J(reference.nNodes(), 1.0);
-    for (int i = 0; i < reference.nNodes(); ++i) {
-        if (around.count(i) == 0) continue;
+    parallelFor(reference.nNodes(), [&](int i) {
+        if (around.count(i) == 0) return;
         double volume = 0;
         for (int s = around.start[i]; s < around.start[i + 1]; ++s)
             volume += simplexMeasure<Dim>(x, reference.cell(around.cell[s]));
         J[i] = volume / ((Dim + 1) * reference.volume[i]);
-    }
+    });
     return J;
 }
 

@@ -61,17 +61,22 @@ private:
     /// A node that slides towards one that more walls hold, or a solid on its wall: nothing could stop it there.
     void removeAtCorners() {
         const auto& t = moved_.topology;
-        const int n = static_cast<int>(moved_.x.size());
+        const auto& x = moved_.x;
+        const int n = static_cast<int>(x.size());
         std::vector<int> corners;
         for (int i = 0; i < n; ++i)
             if (isSupported(t.supports[i]) && !t.isUnderSkin(i) && (t.onSolid[i] || nSupports(t.supports[i]) > 1))
                 corners.push_back(i);
+        std::sort(corners.begin(), corners.end(), [&](int a, int b) { return x[a][0] < x[b][0]; });
         for (int i = 0; i < n; ++i) {
             if (!t.onWall[i] || kept_[i] || isImage(i)) continue;
-            for (const int corner : corners)
-                if (isNear(i, corner) &&
-                    (t.onSolid[corner] || nSupports(t.supports[corner]) > nSupports(t.supports[i])) &&
-                    t.supportOn(corner, t.supports[i][0]) >= 0)
+            const double reach = (1 + 1e-9) * controls_.expert.walls.cornerDistance * h_[i];
+            auto corner = std::lower_bound(corners.begin(), corners.end(), x[i][0] - reach,
+                                           [&](int c, double least) { return x[c][0] < least; });
+            for (; corner != corners.end() && x[*corner][0] <= x[i][0] + reach; ++corner)
+                if (isNear(i, *corner) &&
+                    (t.onSolid[*corner] || nSupports(t.supports[*corner]) > nSupports(t.supports[i])) &&
+                    t.supportOn(*corner, t.supports[i][0]) >= 0)
                     remove(i);
         }
     }
