@@ -1,6 +1,7 @@
 #include "remesh/joinDrops.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "mesh/simplex.hpp"
 
@@ -60,7 +61,30 @@ void joinDrops(const RemeshingControls& controls, MovedMesh<Dim>& moved, State<D
     }
 }
 
-#define PFEM_INSTANTIATE(D) template void joinDrops<D>(const RemeshingControls&, MovedMesh<D>&, State<D>&);
+template <int Dim>
+std::vector<int> squeezeDrops(const std::vector<int>& pinched, MovedMesh<Dim>& moved) {
+    const auto& topology = moved.topology;
+    std::vector<int> homeless;
+    for (const int drop : pinched) {
+        int& heir = moved.joins[drop];
+        if (!topology.isolated(drop) || heir >= 0 || moved.gone[drop] > 0 || moved.images.isImage(drop)) continue;
+        double nearest = std::numeric_limits<double>::max();
+        for (int i = 0; i < topology.nNodes(); ++i) {
+            const double distance = (moved.x[i] - moved.x[drop]).norm();
+            if (distance >= nearest || !topology.wet(i) || topology.onWall[i] || topology.onSolid[i]) continue;
+            nearest = distance;
+            heir = moved.images.own(i);
+        }
+        if (heir >= 0) continue;
+        std::swap(moved.gone[drop], moved.dropVolume[drop]);
+        homeless.push_back(drop);
+    }
+    return homeless;
+}
+
+#define PFEM_INSTANTIATE(D)                                                         \
+    template void joinDrops<D>(const RemeshingControls&, MovedMesh<D>&, State<D>&); \
+    template std::vector<int> squeezeDrops<D>(const std::vector<int>&, MovedMesh<D>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

@@ -1,5 +1,5 @@
 #pragma once
-// Drops that come so near to a node of the fluid that there is no place for two.
+// Drops that become part of a node of the fluid: where there is no place for two, and where there is no room any more.
 
 #include "remesh/controls.hpp"
 #include "remesh/movedMesh.hpp"
@@ -13,5 +13,11 @@ namespace pfem {
 /// no step can hold.
 template <int Dim>
 void joinDrops(const RemeshingControls& controls, MovedMesh<Dim>& moved, State<Dim>& state);
+
+/// Drops among `pinched` are squeezed out from between surfaces that close: what they carry goes to the nearest node in
+/// cells that no wall and no solid holds. Returns those that find none; they are let go (MovedMesh::gone). Their
+/// momentum stays with what closes on them.
+template <int Dim>
+std::vector<int> squeezeDrops(const std::vector<int>& pinched, MovedMesh<Dim>& moved);
 
 }  // namespace pfem

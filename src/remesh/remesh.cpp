@@ -238,6 +238,7 @@ RemeshReport<Dim> remesh(RemeshTask<Dim> task, Triangulator<Dim>& triangulator, 
     const std::vector<PatchKind>& kinds = task.kinds;
     MovedMesh<Dim> moved = movedMesh<Dim>(state, std::move(task.topology), task.gone);
     joinDrops<Dim>(controls, moved, state);
+    for (const int drop : squeezeDrops<Dim>(task.pinched, moved)) task.gone.push_back(drop);
     const double drops = std::accumulate(moved.dropVolume.begin(), moved.dropVolume.end(), 0.0);
     bookGone<Dim>(moved, task.gone, state);
     auto plan =

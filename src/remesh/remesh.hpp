@@ -32,7 +32,7 @@ struct RemeshTask {
     Topology<Dim> topology;             // of the state's mesh
     double dt = 0;                      // length of the step that moved it [s]
     std::vector<int> gone = {};         // drops that are let go
-    std::vector<int> pinched = {};      // nodes of cells for which there is no room any more
+    std::vector<int> pinched = {};      // nodes and drops for which there is no room any more
     const Sides<Dim>* sides = nullptr;  // periodic ones; the state is unfolded then, before and after
 };
 

@@ -96,13 +96,12 @@ void putBack(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome
     outcome.returned = returnPenetrating<Dim>(c.motion.topology, c.controls.expert.walls.wallDistance, state);
 }
 
-/// What is between closing surfaces goes: drops with their volume, nodes of triangles without.
+/// What is between closing surfaces goes; its volume comes back in the water nearby.
 template <int Dim>
 void squeezeOut(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>& outcome) {
-    for (const int i : pinchedNodes<Dim>(c.motion.topology, 2 * c.controls.expert.walls.wallDistance, state)) {
-        const bool leaves = std::find(outcome.leaving.begin(), outcome.leaving.end(), i) != outcome.leaving.end();
-        if (!leaves) (c.motion.topology.isolated(i) ? outcome.leaving : outcome.pinched).push_back(i);
-    }
+    for (const int i : pinchedNodes<Dim>(c.motion.topology, 2 * c.controls.expert.walls.wallDistance, state))
+        if (std::find(outcome.leaving.begin(), outcome.leaving.end(), i) == outcome.leaving.end())
+            outcome.pinched.push_back(i);
 }
 
 /// What all the motions have changed is taken from what the nodes lack; what pressure has taken is not lost.

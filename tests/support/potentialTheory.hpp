@@ -1,8 +1,9 @@
 #pragma once
-// Free motion of a section that floats in a tank, by linear potential theory: what a float's swinging is compared with.
+// Motion of a section that floats in a tank, by linear potential theory: what a float's swinging is compared with.
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "base/types.hpp"
@@ -30,6 +31,7 @@ public:
         for (const double x : std::vector(right.rbegin(), right.rend())) surfaceRight.emplace_back(x, 0);
         for (const double x : spaced(-left, halfWidth, size, growth)) surfaceLeft.emplace_back(-x, 0);
         for (const double y : down) wallDown.emplace_back(-halfWidth, -y);
+        nPiston_ = static_cast<int>(wallDown.size()) - 1;
         add(surfaceRight);
         add(surfaceLeft);
         nSurface_ = static_cast<int>(a_.size());
@@ -47,30 +49,50 @@ public:
 
     /// Motions every dt after a release at rest from `start`; M, K: mass and stiffness about `centre`.
     std::vector<Motion> released(const Eigen::Matrix3d& M, const Eigen::Matrix3d& K, const Vec<2>& centre,
-                                 const Motion& start, double dt, int steps, double rho = 1000, double g = 9.81) const {
-        const Eigen::MatrixXd N = directions(centre), w = rho * weighted(N), ofSurface = w * bodyOfSurface_,
-                              rise = surfaceOfVelocity_ * N;
-        const Eigen::Matrix3d inverse = (M + w * bodyOfVelocity_ * N).inverse();
+                                 const Motion& start, double dt, int steps) const {
+        return path({M, K, directions(centre), [](double) { return 0.0; }}, start, dt, steps);
+    }
+    /// The same from rest, while the left wall moves to the right with the velocity `piston(t)`.
+    std::vector<Motion> inWaves(const Eigen::Matrix3d& M, const Eigen::Matrix3d& K, const Vec<2>& centre,
+                                const std::function<double(double)>& piston, double dt, int steps) const {
+        return path({M, K, directions(centre), piston}, Motion::Zero(), dt, steps);
+    }
+
+private:
+    static constexpr double density = 1000, gravity = 9.81;
+
+    struct Float {
+        Eigen::Matrix3d M, K;
+        Eigen::MatrixXd N;
+        std::function<double(double)> piston;
+    };
+
+    std::vector<Motion> path(const Float& body, const Motion& start, double dt, int steps) const {
+        const Eigen::MatrixXd w = density * weighted(body.N), ofSurface = w * bodyOfSurface_,
+                              rise = surfaceOfVelocity_ * body.N;
+        const Eigen::Matrix3d inverse = (body.M + w * bodyOfVelocity_ * body.N).inverse();
+        const Motion ofPiston = w * bodyOfPiston_;
         const int n = nSurface_;
-        const auto rate = [&](const Eigen::VectorXd& z) {  // phi, eta of the surface; momentum, place
+        const auto rate = [&](double t, const Eigen::VectorXd& z) {  // phi, eta of the surface; momentum, place
+            const double q = -body.piston(t);                        // dphi/dn, out of the water
             Eigen::VectorXd r(z.size());
-            const Motion v = inverse * (z.segment<3>(2 * n) - ofSurface * z.head(n));
-            r << -g * z.segment(n, n), surfaceOfSurface_ * z.head(n) + rise * v, -K * z.tail<3>(), v;
+            const Motion v = inverse * (z.segment<3>(2 * n) - ofSurface * z.head(n) - q * ofPiston);
+            r << -gravity * z.segment(n, n), surfaceOfSurface_ * z.head(n) + rise * v + q * surfaceOfPiston_,
+                -body.K * z.tail<3>(), v;
             return r;
         };
         Eigen::VectorXd z = Eigen::VectorXd::Zero(2 * n + 6);
         z.tail<3>() = start;
-        std::vector<Motion> path{start};
+        std::vector<Motion> places{start};
         for (int k = 0; k < steps; ++k) {  // Runge and Kutta
-            const Eigen::VectorXd k1 = rate(z), k2 = rate(z + dt / 2 * k1), k3 = rate(z + dt / 2 * k2),
-                                  k4 = rate(z + dt * k3);
+            const double t = k * dt;
+            const Eigen::VectorXd k1 = rate(t, z), k2 = rate(t + dt / 2, z + dt / 2 * k1),
+                                  k3 = rate(t + dt / 2, z + dt / 2 * k2), k4 = rate(t + dt, z + dt * k3);
             z += dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-            path.emplace_back(z.tail<3>());
+            places.emplace_back(z.tail<3>());
         }
-        return path;
+        return places;
     }
-
-private:
     /// From x0 to x1 in pieces that begin with about `size` and grow.
     static std::vector<double> spaced(double x0, double x1, double size, double growth) {
         std::vector<double> x{0};
@@ -101,12 +123,14 @@ private:
             for (Eigen::Index j = 0; j < n; ++j)
                 std::tie(S(i, j), H(i, j)) = integrals(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
         H.diagonal().array() -= 0.5;
-        Eigen::MatrixXd A(n, n), right(n, nSurface_ + nBody_);
+        Eigen::MatrixXd A(n, n), right(n, nSurface_ + nBody_ + 1);
         A << S.leftCols(nSurface_), -H.rightCols(n - nSurface_);
-        right << H.leftCols(nSurface_), -S.middleCols(nSurface_, nBody_);
+        right << H.leftCols(nSurface_), -S.middleCols(nSurface_, nBody_), -S.rightCols(nPiston_).rowwise().sum();
         const Eigen::MatrixXd all = A.partialPivLu().solve(right);
         surfaceOfSurface_ = all.topLeftCorner(nSurface_, nSurface_);
-        surfaceOfVelocity_ = all.topRightCorner(nSurface_, nBody_);
+        surfaceOfVelocity_ = all.block(0, nSurface_, nSurface_, nBody_);
+        surfaceOfPiston_ = all.col(nSurface_ + nBody_).head(nSurface_);
+        bodyOfPiston_ = all.col(nSurface_ + nBody_).segment(nSurface_, nBody_);
         bodyOfSurface_ = all.block(nSurface_, 0, nBody_, nSurface_);
         bodyOfVelocity_ = all.block(nSurface_, nSurface_, nBody_, nBody_);
     }
@@ -125,9 +149,10 @@ private:
         return w;
     }
 
-    Points<2> a_, b_;  // ends of the elements, the water on their left
-    int nSurface_ = 0, nBody_ = 0;
+    Points<2> a_, b_;                             // ends of the elements, the water on their left
+    int nSurface_ = 0, nBody_ = 0, nPiston_ = 0;  // elements; the piston's, along the left wall, are the last
     Eigen::MatrixXd surfaceOfSurface_, surfaceOfVelocity_, bodyOfSurface_, bodyOfVelocity_;
+    Eigen::VectorXd surfaceOfPiston_, bodyOfPiston_;
 };
 
 }  // namespace pfem::test
