@@ -121,6 +121,28 @@ TEST(Drops, joinWhatTheyMeet) {
     }
 }
 
+// Between surfaces that close on them: what they carry goes to the nearest open water; without any it is gone.
+TEST(Drops, areSqueezedOut) {
+    for (const bool anyWater : {true, false}) {
+        TestCase c = tank();
+        const int drop = addDrop(c.state, {0.98, 0.62}, {0, 0});
+        const Id squeezed = c.state.nodes.id[drop];
+        if (!anyWater) c.state.mesh.fluid = {};
+        double before = totalVolume<2>(c.state);
+        for (const double lost : c.state.nodes.lostVolume) before += lost;
+        Triangulator<2> triangulator;
+        remesh<2>({c.controls.remeshing, c.kinds(), c.topology(), 1e-3, {}, {drop}}, triangulator, c.state);
+        EXPECT_EQ(nodeOf(c.state.nodes, squeezed), -1);
+        EXPECT_NEAR(c.state.ledger[VolumeCause::gone], anyWater ? 0 : -volume, 1e-16);
+        if (!anyWater) continue;
+        const int heir = nearestNode(c.state.nodes.x, {0.9, 0.5});  // that at x = 1 is on the wall
+        EXPECT_NEAR(c.state.nodes.lostVolume[heir], volume, 1e-12);
+        double after = totalVolume<2>(c.state);
+        for (const double lost : c.state.nodes.lostVolume) after += lost;
+        EXPECT_NEAR(after, before, 1e-14);
+    }
+}
+
 TEST(Drops, whatIsGoneIsGone) {
     const auto isGone = [](const Vec<2>& x, const Vec<2>& v, bool moving = false) {
         TestCase c = tank();
