@@ -17,19 +17,19 @@ constexpr double side = 0.1, tank = 0.4, depth = 0.2;  // of the block; width of
 /// damper takes what it swings with.
 TestCase letGo(double density, double away, double h) {
     const double bottom = depth - side * density / 1000 - away, left = 0.5 * (tank - side), right = left + side;
-    const Points<2> below{{left, depth}, {left, bottom}, {right, bottom}, {right, depth}};
-    std::string hull, oil = point(0, 0) + point(tank, 0) + point(tank, depth);
-    for (auto p = below.rbegin(); p != below.rend(); ++p) oil += point((*p)[0], (*p)[1]);
-    for (const auto& p : below) hull += point(p[0], p[1]);
-    TestCase c = makeCase("meshSize " + std::to_string(h) + "; bodies ( oil { type fluid; material oil; vertices (" +
-                              oil + point(0, depth) + "); } block { type solid; material wood; vertices (" + hull +
-                              point(right, bottom + side) + point(left, bottom + side) +
-                              "); patches { skin { edges ((0 1) (1 2) (2 3) (3 4) (4 5) (5 0)); } } } ); "
-                              "walls ( tank { points ((0 0.5) (0 0) (0.4 0) (0.4 0.5)); } );",
-                          "oil { type newtonian; rho 1000; mu 5; } wood { type rigid; rho " + std::to_string(density) +
-                              "; constraints { guide { type line; direction (0 1 0); } upright { type orientation; } } "
-                              "restraints { drag { type linearDamper; coeff 200; } } }",
-                          "tank { type slip; } skin { type slipInterface; }");
+    const std::string oil = point(0, 0) + point(tank, 0) + point(tank, depth) + point(right, depth) +
+                            point(right, bottom) + point(left, bottom) + point(left, depth) + point(0, depth);
+    const std::string wood = point(left, depth) + point(left, bottom) + point(right, bottom) + point(right, depth) +
+                             point(right, bottom + side) + point(left, bottom + side);
+    TestCase c = makeCase(
+        "meshSize " + std::to_string(h) + "; bodies ( oil { type fluid; material oil; vertices (" + oil +
+            "); } block { type solid; material wood; vertices (" + wood +
+            "); patches { skin { edges ((0 1) (1 2) (2 3) (3 4) (4 5) (5 0)); } } } ); walls ( tank { points ((0 0.5) "
+            "(0 0) (0.4 0) (0.4 0.5)); } );",
+        "oil { type newtonian; rho 1000; mu 5; } wood { type rigid; rho " + std::to_string(density) +
+            "; constraints { guide { type line; direction (0 1 0); } upright { type orientation; } } "
+            "restraints { drag { type linearDamper; coeff 200; } } }",
+        "tank { type slip; } skin { type slipInterface; }");
     separateFromSkins<2>(c.kinds(), c.state);
     return c;
 }
