@@ -149,7 +149,8 @@ PFEM_WIDE bool factorColumns(double* F, int m, int width) {
 }
 
 PFEM_WIDE void subtractProduct(double* U, int r, const double* F, int m, int width) {
-    if (r >= 400 && width >= 8)
+    constexpr long layingOut = 4800;  // fewer numbers of L21 are not worth it (same bits)
+    if (static_cast<long>(r) * width >= layingOut)
         subtractByTiles(U, r, F, m, width);
     else
         subtractByColumns(U, r, F, m, width);

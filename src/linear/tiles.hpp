@@ -20,7 +20,7 @@ namespace pfem {
 constexpr int tileRows = 16;
 constexpr int tileColumns = 4;
 constexpr int depth = 128;      // columns that a strip of rows keeps in the first cache; a multiple of four
-constexpr int panelWidth = 32;  // columns that are factored one by one
+constexpr int panelWidth = 16;  // columns that are factored one by one
 
 using Lane [[gnu::vector_size(64), gnu::aligned(8)]] = double;  // eight numbers, at any address
 constexpr int lanesOfTile = tileRows / 8;

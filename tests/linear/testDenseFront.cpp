@@ -126,7 +126,7 @@ TEST_P(DenseFront, substitutionsGiveTheBitsOfPlainLoops) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, DenseFront,
-                         testing::Combine(testing::Values(0, 5, 399, 400, 437),
+                         testing::Combine(testing::Values(0, 5, 60, 160, 399, 400, 437),
                                           testing::Values(1, 31, 63, 64, 97, 131)));
 
 TEST(DenseFront, saysThatAPivotVanishes) {
