@@ -76,7 +76,7 @@ template <int Dim>
 std::vector<Driven> addDriven(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology,
                               const Nodes<Dim>& nodes, double t0, double t1, std::vector<RigidStep<Dim>>& motions) {
     std::vector<Driven> by(nodes.x.size());
-    for (const auto& [node, motion, pinned] : drivenNodes<Dim>(conditions, topology, nodes.x, nodes.h, t0, t1)) {
+    for (const auto& [node, motion, pinned] : inflowOf<Dim>(conditions, topology, nodes.x, nodes, t0, t1).driven) {
         by[node] = {static_cast<int>(motions.size()), pinned};
         motions.push_back(motion);
     }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "mesh/simplex.hpp"
+#include "state/ownFaces.hpp"
 
 namespace pfem {
 
@@ -65,13 +66,14 @@ std::function<double(const Vec<Dim>&)> parabola(const std::vector<Face<Dim>>& fa
     };
 }
 
-/// Wet area of an inlet. Faces that reach over its edge, onto a wall that goes on smoothly, are not of it.
+/// Wet area of an inlet, between periodic sides. Faces that reach over its edge, onto a wall that goes on smoothly, are
+/// not of it.
 template <int Dim>
 double wetArea(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology, const Points<Dim>& x,
-               int patch) {
+               const std::vector<Id>& id, int patch) {
     double area = 0;
     for (const auto& face : topology.faces)
-        if (face.wall >= 0 && topology.walls[face.wall].patch == patch &&
+        if (face.wall >= 0 && topology.walls[face.wall].patch == patch && isOwnFace<Dim>(id, face.nodes) &&
             std::all_of(face.nodes.begin(), face.nodes.end(),
                         [&](int i) { return inletOf<Dim>(conditions, topology, i) == patch; }))
             area += faceArea<Dim>(x, face.nodes).norm();
@@ -112,10 +114,24 @@ int inletOf(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topo
 }
 
 template <int Dim>
-std::vector<DrivenNode<Dim>> drivenNodes(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology,
-                                         const Points<Dim>& x, const std::vector<double>& h, double t0, double t1) {
-    std::vector<DrivenNode<Dim>> driven;
-    if (!conditions.anyInlet()) return driven;
+std::vector<int> lipNodes(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology,
+                          const Nodes<Dim>& nodes) {
+    std::vector<int> lips;
+    if (!conditions.anyInlet()) return lips;
+    const auto facesOf = facesOfInlets<Dim>(conditions, topology);
+    for (int i = 0; i < topology.nNodes(); ++i) {
+        const int patch = nSupports(topology.supports[i]) == 1 ? inletOf<Dim>(conditions, topology, i) : -1;
+        if (patch >= 0 && isOnEdge<Dim>(topology, nodes.x, facesOf[patch], nodes.x[i], 1e-6 * nodes.h[i]))
+            lips.push_back(i);
+    }
+    return lips;
+}
+
+template <int Dim>
+Inflow<Dim> inflowOf(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology, const Points<Dim>& x,
+                     const Nodes<Dim>& nodes, double t0, double t1) {
+    Inflow<Dim> inflow;
+    if (!conditions.anyInlet()) return inflow;
     std::vector<int> patchOf(x.size(), -1);
     for (int i = 0; i < topology.nNodes(); ++i) patchOf[i] = inletOf<Dim>(conditions, topology, i);
     const auto facesOf = facesOfInlets<Dim>(conditions, topology);
@@ -130,10 +146,12 @@ std::vector<DrivenNode<Dim>> drivenNodes(const BoundaryConditions<Dim>& conditio
         const auto speed = [&](int i) { return sticks<Dim>(conditions, topology, i) ? 0 : spread.speed(x[i]); };
         double swept = 0;  // per time, with c = 1
         for (const auto& face : topology.faces)
-            if (face.kind == FaceKind::wall)
+            if (face.kind == FaceKind::wall && isOwnFace<Dim>(nodes.id, face.nodes))
                 for (const int node : face.nodes)
                     if (patchOf[node] == k) swept -= speed(node) * e.dot(faceArea<Dim>(x, face.nodes)) / Dim;
-        const double factor = swept > 0 ? (inlet.ofVolume ? 1 : wetArea<Dim>(conditions, topology, x, k)) / swept : 0;
+        const double area = wetArea<Dim>(conditions, topology, x, nodes.id, k), rate = inlet.ofVolume ? 1 : area;
+        if (area > 0) inflow.volume += inlet.during(t0, t1) * rate;
+        const double factor = swept > 0 ? rate / swept : 0;
         for (int i = 0; i < topology.nNodes(); ++i) {
             if (patchOf[i] != k) continue;
             const Vec<Dim> unit = factor * speed(i) * e;
@@ -147,18 +165,10 @@ std::vector<DrivenNode<Dim>> drivenNodes(const BoundaryConditions<Dim>& conditio
         bool pinned = !topology.freeSurface[i] || sticks<Dim>(conditions, topology, i);
         for (const int wall : topology.supports[i])
             if (!pinned && wall >= 0 && topology.isOpening(wall))
-                pinned = isOnEdge<Dim>(topology, x, facesOf[topology.walls[wall].patch], x[i], 1e-6 * h[i]);
-        driven.push_back({i, step[i], pinned});
+                pinned = isOnEdge<Dim>(topology, x, facesOf[topology.walls[wall].patch], x[i], 1e-6 * nodes.h[i]);
+        inflow.driven.push_back({i, step[i], pinned});
     }
-    return driven;
-}
-
-template <int Dim>
-double prescribedInflow(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology, const Points<Dim>& x,
-                        int patch, double t0, double t1) {
-    const Inlet& inlet = *conditions.inlet[patch];
-    const double area = wetArea<Dim>(conditions, topology, x, patch);
-    return area == 0 ? 0 : inlet.during(t0, t1) * (inlet.ofVolume ? 1 : area);
+    return inflow;
 }
 
 template <int Dim>
@@ -179,14 +189,13 @@ double inletRate(const BoundaryConditions<Dim>& conditions, const State<Dim>& st
     return rate;
 }
 
-#define PFEM_INSTANTIATE(D)                                                                                           \
-    template InletSpread<D> inletSpread<D>(const Inlet&, const std::vector<Face<D>>&, const Points<D>&, double);      \
-    template int inletOf<D>(const BoundaryConditions<D>&, const Topology<D>&, int);                                   \
-    template std::vector<DrivenNode<D>> drivenNodes<D>(const BoundaryConditions<D>&, const Topology<D>&,              \
-                                                       const Points<D>&, const std::vector<double>&, double, double); \
-    template double inletRate<D>(const BoundaryConditions<D>&, const State<D>&, double);                              \
-    template double prescribedInflow<D>(const BoundaryConditions<D>&, const Topology<D>&, const Points<D>&, int,      \
-                                        double, double);
+#define PFEM_INSTANTIATE(D)                                                                                      \
+    template InletSpread<D> inletSpread<D>(const Inlet&, const std::vector<Face<D>>&, const Points<D>&, double); \
+    template int inletOf<D>(const BoundaryConditions<D>&, const Topology<D>&, int);                              \
+    template std::vector<int> lipNodes<D>(const BoundaryConditions<D>&, const Topology<D>&, const Nodes<D>&);    \
+    template Inflow<D> inflowOf<D>(const BoundaryConditions<D>&, const Topology<D>&, const Points<D>&,           \
+                                   const Nodes<D>&, double, double);                                             \
+    template double inletRate<D>(const BoundaryConditions<D>&, const State<D>&, double);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

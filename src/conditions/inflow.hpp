@@ -30,19 +30,26 @@ struct DrivenNode {
 template <int Dim>
 int inletOf(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology, int node);
 
-/// All driven nodes for the step from t0 to t1, of ascending index. With the speed u = c s e (s: shape, e: direction)
-/// of the nodes, linear between them, c is such that the faces around them sweep the prescribed volume,
+/// Nodes at lips: on an edge of an inlet that goes over smoothly into a wall, where the stream's surface begins.
+template <int Dim>
+std::vector<int> lipNodes(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology,
+                          const Nodes<Dim>& nodes);
+
+/// What inlets do in a step.
+template <int Dim>
+struct Inflow {
+    std::vector<DrivenNode<Dim>> driven;  // of ascending index, images of periodic sides among them
+    double volume = 0;                    // that is to come in through wet faces, between such sides [m2 (2D), m3]
+};
+
+/// For the step from t0 to t1 of nodes at x (`nodes`: their names and sizes). With the speed u = c s e (s: shape, e:
+/// direction) of the nodes, linear between them, c is such that the faces around them sweep the prescribed volume,
 ///     c sum_f |f|/Dim sum_{I in f} s_I e . n_f = flow rate        (velocity: flow rate = velocity times the wet area).
 /// A node on a no-slip wall stays: s = 0. At the free surface a node is pinned on an edge of the patch (lips of a
 /// nozzle), and slides up and down between.
 template <int Dim>
-std::vector<DrivenNode<Dim>> drivenNodes(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology,
-                                         const Points<Dim>& x, const std::vector<double>& h, double t0, double t1);
-
-/// Volume that the inlet `patch` is to bring from t0 to t1 through wet faces [m2 (2D), m3].
-template <int Dim>
-double prescribedInflow(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology, const Points<Dim>& x,
-                        int patch, double t0, double t1);
+Inflow<Dim> inflowOf(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology, const Points<Dim>& x,
+                     const Nodes<Dim>& nodes, double t0, double t1);
 
 /// Largest speed over mesh size of the water that the inlets bring at time t, about: dry ones hold the step, too [1/s].
 template <int Dim>

@@ -3,8 +3,8 @@
 
 #include "conditions/constraints.hpp"
 #include "conditions/contact.hpp"
+#include "conditions/heldFlow.hpp"
 #include "material/material.hpp"
-#include "state/images.hpp"
 
 namespace pfem {
 
@@ -16,7 +16,8 @@ struct Problem {
     Function1Ptr<Eigen::Vector3d> gravityOverTime;  // null: it stays as it is
     BoundaryConditions<Dim> conditions;
     ContactConditions contact;
-    Period<Dim> period;  // of periodic sides
+    Period<Dim> period;                    // of periodic sides
+    std::shared_ptr<const HeldFlow> flow;  // through them that a body force holds; null: what gravity drives
 
     const ViscousFluid& fluid(int material) const { return materials[material].fluid; }
     const Solid& solid(int material) const { return materials[material].solid; }

@@ -24,7 +24,7 @@ CellTerms<Dim> cellTerms(const Step<Dim>& step, const FluidPhase<Dim>& phase, co
     const auto& tau = stabilisation.tau;
     const auto& projected = stabilisation.projected;
     const Cells<Dim>& cells = phase.cells;
-    const Vec<Dim>& gravity = step.problem.gravity;
+    const Vec<Dim> gravity = step.problem.gravity + trial.drive;
     CellTerms<Dim> t;
     t.rate.resize(cells.nodes.size());
     t.compressibility.resize(cells.nodes.size());

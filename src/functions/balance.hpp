@@ -11,4 +11,9 @@ namespace pfem {
 template <int Dim>
 Points<Dim> supportForces(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state);
 
+/// The acceleration of the body force that holds the flow through periodic sides, as the momentum of the state asks for
+/// it: what its free nodes have beside all other forces, on the average. Zero where no flow is held [m/s2].
+template <int Dim>
+Vec<Dim> driveOf(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state);
+
 }  // namespace pfem

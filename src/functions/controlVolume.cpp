@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "functions/balance.hpp"
 #include "functions/faceForce.hpp"
 #include "mesh/simplex.hpp"
 #include "momentum/mass.hpp"
@@ -102,9 +103,10 @@ MomentumRates momentumRates(const Problem<Dim>& problemOfRun, const Controls& co
     addSideFriction<Dim>(problem, mesh.fluid, fluid.domains, nodes.v, around);
     addDamping<Dim>(problem, mesh.fluid, fluid.domains, nodes, around);
     const auto mass = massOfNodes<Dim>(problem, state);
+    const Vec<Dim> force = problem.gravity + driveOf<Dim>(problem, controls, state);
     for (int i = 0; i < nodes.size(); ++i) {
         rates.viscous += w[i] * volume.direction.dot(around[i] - viscous[i]);
-        rates.gravity += w[i] * mass[i] * volume.direction.dot(problem.gravity);
+        rates.gravity += w[i] * mass[i] * volume.direction.dot(force);
     }
     return rates;
 }

@@ -23,7 +23,7 @@ struct ControlVolume {
 struct MomentumRates {
     double flowFrom = 0, flowTo = 0, pressureFrom = 0, pressureTo = 0;
     double walls = 0;    // their force on the fluid, and that of solids
-    double gravity = 0;  // int w rho g . e
+    double gravity = 0;  // int w rho g . e, and of the force that holds a flow through periodic sides
     double viscous = 0;  // viscosity, damping zones, panes
 
     std::array<double, 7> all() const { return {flowFrom, flowTo, pressureFrom, pressureTo, walls, gravity, viscous}; }

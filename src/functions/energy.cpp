@@ -49,6 +49,7 @@ void Energy<Dim>::advance(const State<Dim>& state) {
     flows_.viscous += 0.5 * dt * (powers_.viscous + powers.viscous);
     flows_.damper += 0.5 * dt * (powers_.damper + powers.damper);
     flows_.workWalls += 0.5 * dt * (powers_.walls + powers.walls);
+    flows_.workLoads += 0.5 * dt * (powers_.drive + powers.drive);
     auto loads = tractionForce<Dim>(state.mesh, problem_->conditions, state.nodes.x);
     for (std::size_t i = 0; i < loads.size(); ++i) {  // only nodes of solids have loads, and these stay
         if (loads[i].isZero(0)) continue;

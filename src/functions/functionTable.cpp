@@ -10,6 +10,7 @@
 #include "functions/line.hpp"
 #include "functions/massLedger.hpp"
 #include "functions/momentumBalance.hpp"
+#include "functions/periodicFlow.hpp"
 #include "functions/pressureSensor.hpp"
 #include "functions/probes.hpp"
 #include "functions/rigidBodyState.hpp"
@@ -39,6 +40,7 @@ std::map<std::string, FunctionFactory<Dim>>& table() {
         {"line", make<Dim, Line<Dim>>},
         {"massLedger", make<Dim, MassLedger<Dim>>},
         {"momentumBalance", make<Dim, MomentumBalance<Dim>>},
+        {"periodicFlow", make<Dim, PeriodicFlow<Dim>>},
         {"pressureSensor", make<Dim, PressureSensor<Dim>>},
         {"probes", make<Dim, Probes<Dim>>},
         {"rigidBodyState", make<Dim, RigidBodyState<Dim>>},

@@ -56,6 +56,20 @@ EnergyPowers wallPower(const Problem<Dim>& problem, const Controls& controls, co
     return result;
 }
 
+/// Of the force that holds a flow through periodic sides, on the cells that count.
+template <int Dim>
+double drivePower(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state) {
+    const Vec<Dim> drive = driveOf<Dim>(problem, controls, state);
+    const auto& cells = state.mesh.fluid;
+    double power = 0;
+    for (int e = 0; e < nOwnCells<Dim>(state); ++e) {
+        const double share =
+            problem.fluid(cells.material[e]).rho * simplexMeasure<Dim>(state.nodes.x, cells.nodes[e]) / (Dim + 1);
+        for (const int i : cells.nodes[e]) power += share * drive.dot(state.nodes.v[i]);
+    }
+    return power;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -140,6 +154,7 @@ EnergyPowers energyPowers(const Problem<Dim>& problem, const Controls& controls,
     const auto walls = wallPower<Dim>(problemAt<Dim>(state.time.value, problem), controls, state);
     powers.walls = walls.walls;
     powers.viscous += walls.viscous;
+    if (problem.flow) powers.drive = drivePower<Dim>(problem, controls, state);
     Points<Dim> sides(nodes.size(), Vec<Dim>::Zero());
     addSideFriction<Dim>(problem, mesh.fluid, fluid, nodes.v, sides);
     addDamping<Dim>(problem, mesh.fluid, fluid, nodes, sides);

@@ -9,7 +9,7 @@ namespace pfem {
 
 /// [W/m (2D), W]
 struct EnergyPowers {
-    double viscous = 0, damper = 0, walls = 0;
+    double viscous = 0, damper = 0, walls = 0, drive = 0;
 };
 
 /// Elastic energy of the solids: sum_p Omega_p sigma : C^-1 : sigma / 2 (exact for small strain); neoHookean:
@@ -22,7 +22,7 @@ template <int Dim>
 StoredEnergy storedEnergy(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state);
 
 /// Dissipation sum_e |e| s_e : grad v by viscosity (and friction at walls) and by the zig-zag damper, power of walls
-/// and clamps that move.
+/// and clamps that move, and of the force that holds a flow through periodic sides.
 template <int Dim>
 EnergyPowers energyPowers(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state);
 

@@ -12,7 +12,8 @@ struct Trial {
     std::vector<double> excess;  // p - rho g . x: what the iteration changes [Pa]. So nodes take the pressure of their
                                  // depth along
     Vec<Dim> depth;              // rho g, or zero in steps that are short beside sqrt(h/g) [Pa/m]
-    std::vector<Twist<Dim>> twist;  // of the rigid bodies at t^{n+1}
+    std::vector<Twist<Dim>> twist;      // of the rigid bodies at t^{n+1}
+    Vec<Dim> drive = Vec<Dim>::Zero();  // acceleration of the body force that holds the flow through periodic sides
 };
 
 /// Everything moves on with the velocities and the excess of t^n.

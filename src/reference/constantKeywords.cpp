@@ -45,11 +45,18 @@ std::vector<KeywordTable> constantKeywords() {
          "Contact of solids with walls and with each other. Without this file they pass through each other, "
          "and a run stops where a solid leaves through a wall.",
          describeEntries<ContactConditions>()});
+    auto periodic = describeEntries<PeriodicEntries>();
+    periodic.push_back({"flowRate", "vector of time", "m2/s (2D), m3/s", "none",
+                        "volume through the sides, the mean over all sections between them, held by a body force on "
+                        "the fluid along them",
+                        ""});
+    periodic.push_back({"meanVelocity", "vector of time", "m/s", "none",
+                        "of the whole fluid, held likewise, instead of flowRate", ""});
     tables.push_back(
         {"constant/periodic", "",
          "Periodic sides: what leaves through one of two opposite planes comes in at the other. Walls along "
-         "the flow go on beyond both by 5 mesh sizes; gravity may drive the flow.",
-         describeEntries<PeriodicEntries>()});
+         "the flow go on beyond both by 5 mesh sizes; gravity may drive the flow, or a flow is held.",
+         periodic});
     return tables;
 }
 

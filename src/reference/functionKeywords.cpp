@@ -63,6 +63,12 @@ std::vector<KeywordTable> functionKeywords() {
          "gravity, "
          "viscosity, and what the numerics lose.",
          describeEntries<MomentumBalanceEntries>()},
+        {file,
+         "periodicFlow",
+         "The flow through periodic sides, and the force that holds it where `flowRate` or `meanVelocity` is given in "
+         "`constant/periodic`: `drive`, an acceleration; the pressure drop between the sides is rho `drive` L. No "
+         "entries.",
+         {}},
         {file, "pressureSensor", "Mean pressure over a disc or segment on a wall or solid.",
          describeEntries<PressureSensorEntries>()},
         {file,

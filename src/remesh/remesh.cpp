@@ -241,8 +241,9 @@ RemeshReport<Dim> remesh(RemeshTask<Dim> task, Triangulator<Dim>& triangulator, 
     for (const int drop : squeezeDrops<Dim>(task.pinched, moved)) task.gone.push_back(drop);
     const double drops = std::accumulate(moved.dropVolume.begin(), moved.dropVolume.end(), 0.0);
     bookGone<Dim>(moved, task.gone, state);
-    auto plan =
-        planNodes<Dim>(controls, moved, state.nodes.h, keptNodes<Dim>(state.mesh, state.nodes.size()), task.pinched);
+    auto kept = keptNodes<Dim>(state.mesh, state.nodes.size());
+    for (const int lip : task.lips) kept[lip] = 1;
+    auto plan = planNodes<Dim>(controls, moved, state.nodes.h, kept, task.pinched);
     for (const int drop : task.gone) plan.removed[drop] = 1;
     std::fill(plan.removed.begin() + moved.images.nOwn, plan.removed.end(), 1);  // images are made anew
     for (std::size_t i = 0; i < moved.joins.size(); ++i)

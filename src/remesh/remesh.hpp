@@ -34,6 +34,7 @@ struct RemeshTask {
     std::vector<int> gone = {};         // drops that are let go
     std::vector<int> pinched = {};      // nodes and drops for which there is no room any more
     const Sides<Dim>* sides = nullptr;  // periodic ones; the state is unfolded then, before and after
+    std::vector<int> lips = {};         // nodes of the fluid that stay, whoever comes near
 };
 
 /// Remove and insert nodes, triangulate with walls, solids and the free surface as constraints, select the fluid.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "conditions/inflow.hpp"
 #include "conditions/sides.hpp"
 
 namespace pfem {
@@ -17,6 +18,36 @@ bool solidsAt(const Period<Dim>& period, int k, double width, const State<Dim>& 
         for (const int i : cell)
             if (state.nodes.x[i][k] < from || state.nodes.x[i][k] > to) return true;
     return false;
+}
+
+/// An inlet whose water is not the same at both sides, or that has none to begin with.
+template <int Dim>
+void checkInlets(const Dictionary& dict, const Problem<Dim>& problem, const State<Dim>& unfolded) {
+    const auto& conditions = problem.conditions;
+    const auto& nodes = unfolded.nodes;
+    const auto topology = makeTopology<Dim>(unfolded.mesh, conditions.kind, nodes.x, nodes.wall);
+    const auto images = imagesOf<Dim>(unfolded);
+    for (std::size_t k = 0; k < conditions.inlet.size(); ++k) {
+        if (!conditions.inlet[k]) continue;
+        const auto& patch = unfolded.mesh.patches[k];
+        const auto spread = inletSpread<Dim>(*conditions.inlet[k], patch.faces, nodes.x, unfolded.time.value);
+        bool wet = false;
+        for (int i = 0; i < nodes.size(); ++i) {
+            if (!topology.wet(i) || inletOf<Dim>(conditions, topology, i) != static_cast<int>(k)) continue;
+            wet = true;
+            const double here = spread.speed(nodes.x[i]), there = spread.speed(nodes.x[images.own(i)]);
+            if (std::abs(here - there) > 1e-6 * std::max(std::abs(here), std::abs(there)))
+                throw UserError(fmt::format("the profile of the inlet '{}' is not the same at both periodic sides: "
+                                            "profile uniform, or an expression that repeats itself",
+                                            patch.name),
+                                dict.where());
+        }
+        if (!wet && unfolded.time.index == 0)
+            throw UserError(fmt::format("no water wets the inlet '{}': between periodic sides put a body of fluid in "
+                                        "front of it",
+                                        patch.name),
+                            dict.where());
+    }
 }
 
 /// The patch of a wall that holds images beyond its end; -1: none.
@@ -49,14 +80,13 @@ void checkPeriodic(const Dictionary& dict, const Problem<Dim>& problem, const St
         if (period.length[k] < 2 * width)
             dict.fatal(name, fmt::format("the sides must be at least {:.4g} m apart, {} mesh sizes", 2 * width,
                                          2 * bandWidth));
-        if (problem.conditions.anyInlet() || problem.conditions.anyOutlet())
-            dict.fatal(name, "periodic sides together with inlets or outlets are not implemented");
         if (solidsAt<Dim>(period, k, width, state))
             dict.fatal(name,
                        fmt::format("solids must keep {:.4g} m from periodic sides, {} mesh sizes", width, bandWidth));
     }
     const auto sides = sidesOf<Dim>(problem, state);
-    const int patch = endingWall<Dim>(sides, unfolded<Dim>(sides, state));
+    const auto all = unfolded<Dim>(sides, state);
+    const int patch = endingWall<Dim>(sides, all);
     if (patch >= 0)
         throw UserError(
             fmt::format(
@@ -64,6 +94,7 @@ void checkPeriodic(const Dictionary& dict, const Problem<Dim>& problem, const St
                 "sizes",
                 state.mesh.patches[patch].name, width, bandWidth),
             dict.where());
+    checkInlets<Dim>(dict, problem, all);
 }
 
 #define PFEM_INSTANTIATE(D) template void checkPeriodic<D>(const Dictionary&, const Problem<D>&, const State<D>&);

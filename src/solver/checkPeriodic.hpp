@@ -8,9 +8,9 @@ namespace pfem {
 
 /// Throws UserError at the entry of constant/periodic
 ///  - when its sides are nearer to each other than their bands are wide (state/unfolding.hpp),
-///  - when the case has inlets or outlets, too,
 ///  - when nodes of solids are within the bands,
-///  - when a wall on which fluid slides ends within them.
+///  - when a wall on which fluid slides, or an opening, ends within them,
+///  - when an inlet has no water to begin with, or another speed at an image than at its master.
 /// And when the state has images, but the case no periodic sides.
 template <int Dim>
 void checkPeriodic(const Dictionary& dict, const Problem<Dim>& problem, const State<Dim>& state);

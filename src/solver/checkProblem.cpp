@@ -132,7 +132,7 @@ std::vector<std::string> doubts(const Dictionary& materials, const Dictionary& g
         low = i == 0 ? state.nodes.x[i] : Vec<Dim>(low.cwiseMin(state.nodes.x[i]));
         high = i == 0 ? state.nodes.x[i] : Vec<Dim>(high.cwiseMax(state.nodes.x[i]));
     }
-    driven = driven || problem.conditions.anyInlet();
+    driven = driven || problem.conditions.anyInlet() || problem.flow;
     for (const auto& traction : problem.conditions.traction) driven = driven || traction.norm() > 0;
     for (const auto& [entry, value] : flatEntries(conditions))
         driven = driven || entry.find(".motion") != std::string::npos;

@@ -19,6 +19,7 @@ Nodes<Dim> consistentStart(Problem<Dim> problem, const Controls& asGiven, const 
     for (double size : nodes.h) h = std::max(h, size);
     for (auto& material : problem.materials)
         material.fluid.kappa = open ? 1e300 : 1e8 * material.fluid.rho * h * h / (moment * moment);
+    problem.flow = nullptr;  // the flow at the start is what the case says
     Controls controls = asGiven;
     const double firstStep = 1e3 * moment;
     controls.timeIntegration.gamma = 1;

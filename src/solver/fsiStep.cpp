@@ -3,6 +3,7 @@
 #include "momentum/solidHistory.hpp"
 #include "solver/continuityEquation.hpp"
 #include "solver/convergence.hpp"
+#include "solver/flowDrive.hpp"
 #include "solver/momentumEquation.hpp"
 #include "solver/scales.hpp"
 #include "solver/stepChecks.hpp"
@@ -32,6 +33,7 @@ StepResult<Dim> iterate(const Step<Dim>& step, const Controls& controls, Trial<D
     SolidPhase<Dim> solid(step.problem, controls.solid, step.mesh, step.topology.solid, old, scheme);
     MomentumEquation<Dim> momentum(step, controls, fluid, solid);
     ContinuityEquation<Dim> continuity(step, controls, fluid, momentum);
+    FlowDrive<Dim> drive(step, fluid);
     const auto& tolerances = controls.convergence;
     Convergence convergence(tolerances, std::max(unseenSpeed<Dim>(step), roundOffSpeed<Dim>(step) / tolerances.tolU),
                             pressureScale<Dim>(step, fluid, tolerances.tolP));
@@ -45,10 +47,11 @@ StepResult<Dim> iterate(const Step<Dim>& step, const Controls& controls, Trial<D
         const bool followed = fluid.follows;
         solid.moveTo(old, trial.end, step.dt());  // stresses
         fluid.flow(trial.middle.v);
-        const auto dv = momentum.solve(momentum.residual(trial, report.finalU), trial);  // R_m, (M + K) dv = -R_m
-        changeVelocity<Dim>(step, momentum.part(dv), dv, trial);                         // v, x, a
-        fluid.moveTo(trial.middle.x);                              // domains in the new configuration
-        dp = continuity.solve(continuity.residual(trial), trial);  // R_c, dp
+        auto dv = momentum.solve(momentum.residual(trial, report.finalU), trial);  // R_m, (M + K) dv = -R_m
+        drive.hold(momentum, trial, dv);                                           // the flow through periodic sides
+        changeVelocity<Dim>(step, momentum.part(dv), dv, trial);                   // v, x, a
+        fluid.moveTo(trial.middle.x);                                              // domains in the new configuration
+        dp = continuity.solve(continuity.residual(trial), trial);                  // R_c, dp
         setExcess<Dim>(step, continuity.next(trial.excess, dp), trial);
         if (!followed && fluid.follows) continuity.restart();
 
@@ -56,6 +59,7 @@ StepResult<Dim> iterate(const Step<Dim>& step, const Controls& controls, Trial<D
         report = convergence.report();
     }
     report.linearIterations = momentum.linearIterations();
+    report.drive.template head<Dim>() = trial.drive;
     return accepted<Dim>(fluid, solid, trial, report);
 }
 

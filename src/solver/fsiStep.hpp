@@ -13,6 +13,7 @@ struct StepReport {
     int linearIterations = 0;         // conjugate gradients, all iterations together
     double initialU = 0, finalU = 0;  // |dv|/|v| of the first and the last iteration
     double initialP = 0, finalP = 0;  // |dp|/|p|
+    Eigen::Vector3d drive{0, 0, 0};   // Trial::drive [m/s2]
 };
 
 template <int Dim>

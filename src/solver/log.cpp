@@ -36,6 +36,9 @@ std::string stepLines(const AdvanceReport& report, const State<Dim>& state, doub
             first, last, iterations);
     };
     text += solve("U", s.initialU, s.finalU, s.iterations) + solve("p", s.initialP, s.finalP, s.iterations);
+    if (!s.drive.isZero(0))
+        text += fmt::format("Drive through periodic sides = ({:.6g} {:.6g} {:.6g}) m/s2\n", s.drive[0], s.drive[1],
+                            s.drive[2]);
     text +=
         fmt::format("Mesh: {} nodes, {} fluid {}, removed {}, inserted {}, returned {}\n", state.nodes.size(),
                     state.mesh.fluid.size(), cellsOf(Dim), report.mesh.removed, report.mesh.inserted, report.returned);

@@ -8,8 +8,25 @@
 #include "momentum/rigidInertia.hpp"
 #include "momentum/surfaceStiffness.hpp"
 #include "solver/scales.hpp"
+#include "state/lostMass.hpp"
 
 namespace pfem {
+
+namespace {
+
+/// The masses at x^n; with `lostMass` those of the nodes' water, which stay so over the step.
+template <int Dim>
+std::vector<double> firstMass(bool lostMass, const Nodes<Dim>& old, const FluidPhase<Dim>& fluid,
+                              const SolidPhase<Dim>& solid) {
+    auto mass = nodalMass<Dim>(fluid, solid);
+    const auto& patch = fluid.domains.volume;
+    for (int i = 0; lostMass && i < old.size(); ++i)
+        if (patch[i] > 0)
+            mass[i] = solid.mass[i] + (mass[i] - solid.mass[i]) * waterOf(patch[i], old.lostVolume[i]) / patch[i];
+    return mass;
+}
+
+}  // namespace
 
 template <int Dim>
 MomentumSystem<Dim> MomentumEquation<Dim>::makeSystem(const Controls& controls) const {
@@ -33,7 +50,8 @@ MomentumEquation<Dim>::MomentumEquation(const Step<Dim>& step, const Controls& c
       tolerance_(controls.convergence.tolU),
       solidForceOld_(step.old.size(), Vec<Dim>::Zero()),
       stiffness_(surfaceStiffness<Dim>(step.problem, step.mesh.fluid, step.topology, step.old.x, step.midpoint)),
-      mass_(nodalMass<Dim>(fluid, solid)),
+      lostMass_(controls.momentum.lostMass),
+      mass_(firstMass<Dim>(lostMass_, step.old, fluid, solid)),
       system_(makeSystem(controls)),
       contact_(step.contacts ? *step.contacts : std::vector<ContactPair<Dim>>(), step.dt(),
                step.problem.contact.friction) {
@@ -45,13 +63,15 @@ Points<Dim> MomentumEquation<Dim>::residual(const Trial<Dim>& trial, double chan
     const int n = trial.end.size();
     const double gamma = step_.gamma();
     if (!fluid_.newtonian) system_.updateViscosity();
-    mass_ = nodalMass<Dim>(fluid_, solid_);
+    if (!lostMass_) mass_ = nodalMass<Dim>(fluid_, solid_);
     const double damped =
         2 * waveDamping_ * step_.dt() * std::sqrt(step_.problem.gravity.norm() / meanSize<Dim>(step_.old));
     if (viscous_.empty() || std::max(system_.viscousNumber(), damped) * change > 0.1 * tolerance_)
         viscous_ = viscousForces<Dim>(fluid_, waveDamping_, trial.middle);
     auto external = externalForce<Dim>(step_.mesh, step_.topology, fluid_, trial.middle);
     parallelFor(n, [&](int i) { external[i] -= viscous_[i] + (1 - gamma) * solidForceOld_[i]; });
+    if (!trial.drive.isZero(0))
+        parallelFor(n, [&](int i) { external[i] += (mass_[i] - solid_.mass[i]) * trial.drive; });
     auto R = momentumResidual<Dim>(mass_, trial.middle, fluid_, solid_, external, gamma);
     if (fluidMass_ == FluidMass::consistent) addMassDifference<Dim>(fluid_, 1, trial.middle.a, R);
     addRigidInertia<Dim>(step_, trial, R);
@@ -65,6 +85,16 @@ Points<Dim> MomentumEquation<Dim>::solve(const Points<Dim>& residual, const Tria
     system_.setInertia(inertia());
     auto dv = system_.solve(residual);
     contact_.add(system_, trial.end, dv);
+    linearIterations_ += system_.linearIterations();
+    return dv;
+}
+
+template <int Dim>
+Points<Dim> MomentumEquation<Dim>::answer(const Vec<Dim>& acceleration) {
+    Points<Dim> R(mass_.size());
+    parallelFor(static_cast<int>(R.size()),
+                [&](int i) { R[i] = -(mass_[i] - solid_.mass[i]) * acceleration / step_.gamma(); });
+    auto dv = system_.solve(R);
     linearIterations_ += system_.linearIterations();
     return dv;
 }

@@ -26,6 +26,9 @@ public:
     /// dv for the right-hand side -R_m of the last residual, which is that of the iterate.
     Points<Dim> solve(const Points<Dim>& residual, const Trial<Dim>& trial);
 
+    /// dv that answers an acceleration of the fluid, to the first order.
+    Points<Dim> answer(const Vec<Dim>& acceleration);
+
     /// The part of dv to take: less than all where a viscosity that depends on the flow would make it overshoot.
     double part(const Points<Dim>& dv) { return fluid_.newtonian ? 1 : damping_.next(dv); }
 
@@ -50,6 +53,7 @@ private:
     double tolerance_;           // of |dv|/|v|
     Points<Dim> solidForceOld_;  // at t^n
     Points<Dim> stiffness_;      // of the surface
+    bool lostMass_;              // MomentumControls::lostMass
     std::vector<double> mass_;
     MomentumSystem<Dim> system_;
     ContactForces<Dim> contact_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "conditions/inflow.hpp"
 #include "conditions/sides.hpp"
 #include "mesh/contacts.hpp"
 #include "remesh/holdSizes.hpp"
@@ -56,7 +57,12 @@ void comeIn(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<
 
 template <int Dim>
 void wetInlets(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>&) {
-    fillDryInlets<Dim>(passageOf<Dim>(c, state), state);
+    const auto step = passageOf<Dim>(c, state);
+    if (!c.problem.period.any()) return fillDryInlets<Dim>(step, state);
+    const int dry = dryInlet<Dim>(step, state);
+    if (dry >= 0)
+        throw StepFailure("the inlet '" + state.mesh.patches[dry].name +
+                          "' has fallen dry: between periodic sides an inlet must stay wet");
 }
 
 template <int Dim>
@@ -108,7 +114,7 @@ void squeezeOut(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutc
 template <int Dim>
 void chargeNodes(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>&) {
     for (int i = 0; i < state.nodes.size(); ++i) state.nodes.lostVolume[i] += c.motion.compressed[i];
-    chargeMotion<Dim>(c.motion.topology.fluid, state.mesh.fluid.nodes, c.motion.xOld, state.nodes);
+    chargeMotion<Dim>(c.motion.topology, state.mesh.fluid.nodes, c.motion.xOld, c.lostMass, state.nodes);
 }
 
 template <int Dim>
@@ -146,8 +152,9 @@ void reconnect(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutco
     leaving.erase(std::remove_if(leaving.begin(), leaving.end(), [&](int i) { return images.isImage(i); }),
                   leaving.end());
     const auto sides = sidesOf<Dim>(c.problem, state);
+    auto lips = lipNodes<Dim>(c.problem.conditions, topology, state.nodes);
     outcome.connectivity = remesh<Dim>({c.controls, kinds, std::move(topology), c.motion.dt, leaving, outcome.pinched,
-                                        sides.period.any() ? &sides : nullptr},
+                                        sides.period.any() ? &sides : nullptr, std::move(lips)},
                                        c.triangulator, state);
 }
 

@@ -76,6 +76,7 @@ Problem<Dim> readProblem(const Case& theCase, const State<Dim>& state, std::ostr
     const auto periodicFile = theCase.constant("periodic");
     const Dictionary periodic = std::filesystem::exists(periodicFile) ? Dictionary::read(periodicFile) : Dictionary();
     problem.period = periodOf<Dim>(periodic, readEntries<PeriodicEntries>(periodic));
+    problem.flow = heldFlowOf<Dim>(periodic, problem.period);
     checkPeriodic<Dim>(periodic, problem, state);
     for (const auto* dict : {&materials, &g, &conditions, &contact, &periodic})
         if (warnings) warnUnused(*dict, *warnings);

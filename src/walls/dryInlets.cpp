@@ -124,7 +124,8 @@ private:
     double length_ = 0, h_ = 0;
 };
 
-bool isDry(const PassageStep<2>& step, int patch, const State<2>& state) {
+template <int Dim>
+bool isDry(const PassageStep<Dim>& step, int patch, const State<Dim>& state) {
     for (const auto& cell : state.mesh.fluid.nodes)
         for (const int i : cell)
             for (const int w : state.nodes.wall[i])
@@ -137,7 +138,7 @@ bool isDry(const PassageStep<2>& step, int patch, const State<2>& state) {
 template <>
 void fillDryInlets<2>(const PassageStep<2>& step, State<2>& state) {
     for (int k = 0; k < static_cast<int>(step.conditions.inlet.size()); ++k) {
-        if (!step.conditions.inlet[k] || !isDry(step, k, state)) continue;
+        if (!step.conditions.inlet[k] || !isDry<2>(step, k, state)) continue;
         const Inlet& inlet = *step.conditions.inlet[k];
         DryInlet dry(step, k, state);
         const double volume = inlet.during(step.t0, step.t1) * (inlet.ofVolume ? 1 : dry.length());
@@ -147,5 +148,18 @@ void fillDryInlets<2>(const PassageStep<2>& step, State<2>& state) {
 
 template <>
 void fillDryInlets<3>(const PassageStep<3>&, State<3>&) {}
+
+template <int Dim>
+int dryInlet(const PassageStep<Dim>& step, const State<Dim>& state) {
+    for (int k = 0; k < static_cast<int>(step.conditions.inlet.size()); ++k) {
+        const auto& inlet = step.conditions.inlet[k];
+        if (inlet && inlet->during(step.t0, step.t1) > 0 && isDry<Dim>(step, k, state)) return k;
+    }
+    return -1;
+}
+
+#define PFEM_INSTANTIATE(D) template int dryInlet<D>(const PassageStep<D>&, const State<D>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

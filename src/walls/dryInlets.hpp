@@ -11,4 +11,8 @@ namespace pfem {
 template <int Dim>
 void fillDryInlets(const PassageStep<Dim>& step, State<Dim>& state);
 
+/// The first inlet that is to bring water in this step, but has no wet node; -1: none.
+template <int Dim>
+int dryInlet(const PassageStep<Dim>& step, const State<Dim>& state);
+
 }  // namespace pfem

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "conditions/inflow.hpp"
 #include "mesh/distance.hpp"
 #include "walls/arrival.hpp"
@@ -47,9 +49,9 @@ template <int Dim>
 void drawFromInlets(const PassageStep<Dim>& step, const WallDistances& controls, State<Dim>& state) {
     const auto& [conditions, topology, xOld, t0, t1] = step;
     Nodes<Dim>& nodes = state.nodes;
-    const auto driven = drivenNodes<Dim>(conditions, topology, xOld, nodes.h, t0, t1);
+    const auto inflow = inflowOf<Dim>(conditions, topology, xOld, nodes, t0, t1);
     Points<Dim> x = nodes.x;
-    for (const auto& [i, motion, pinned] : driven) {
+    for (const auto& [i, motion, pinned] : inflow.driven) {
         x[i] = pinned ? xOld[i] : Vec<Dim>(x[i] - (motion.to - motion.from));
         if (pinned) continue;
         for (int& wall : nodes.wall[i]) {  // it slides up and down, and on over a wall beside the inlet
@@ -60,13 +62,12 @@ void drawFromInlets(const PassageStep<Dim>& step, const WallDistances& controls,
         }
     }
     auto takers = landOnInlets<Dim>(step, controls.landingDistance, nodes, x);
-    double prescribed = 0;
-    for (int k = 0; k < static_cast<int>(conditions.inlet.size()); ++k)
-        if (conditions.inlet[k]) prescribed += prescribedInflow<Dim>(conditions, topology, xOld, k, t0, t1);
-    const double excess = moveNodes<Dim>(std::move(x), state) - prescribed;
+    const double excess = moveNodes<Dim>(std::move(x), state) - inflow.volume;
     state.ledger.book(VolumeCause::inflow, -excess);
     state.ledger.book(VolumeCause::solver, excess);
-    for (const auto& one : driven) takers.push_back(one.node);
+    for (const auto& one : inflow.driven) takers.push_back(one.node);
+    const int nOwn = nOwnNodes<Dim>(state);  // images take what their masters do
+    takers.erase(std::remove_if(takers.begin(), takers.end(), [&](int i) { return i >= nOwn; }), takers.end());
     for (const int i : takers) {
         const double part = excess / static_cast<double>(takers.size());
         state.ledger.place(VolumeCause::inflow, i, -part);

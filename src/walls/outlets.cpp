@@ -56,7 +56,7 @@ private:
                 left[i] += part;
             }
         }
-        for (int i = 0; i < nodes_.size(); ++i) {
+        for (int i = 0; i < nOwnNodes<Dim>(state_); ++i) {  // images follow
             if (!(left[i] > 0 && volume[i] > 0)) continue;
             const double lost = nodes_.lostVolume[i] * std::min(1.0, left[i] / volume[i]);
             nodes_.lostVolume[i] -= lost;
@@ -155,6 +155,7 @@ private:
     }
 
     void leave(int i) {
+        if (i >= nOwnNodes<Dim>(state_)) return;  // images go with their masters
         state_.ledger.book(VolumeCause::outflow, i, -nodes_.dropVolume[i]);
         nodes_.dropVolume[i] = 0;
         leaving_.push_back(i);

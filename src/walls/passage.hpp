@@ -5,19 +5,22 @@
 
 #include "mesh/simplex.hpp"
 #include "mesh/topology.hpp"
-#include "state/state.hpp"
+#include "state/images.hpp"
 
 namespace pfem {
 
-/// Move the nodes to x. What cells change by has come or left: nodes do not lack it. Returns its sum.
+/// Move the nodes to x. What cells change by has come or left: nodes do not lack it. Returns its sum over the cells
+/// that count.
 template <int Dim>
 double moveNodes(Points<Dim> x, State<Dim>& state) {
     Nodes<Dim>& nodes = state.nodes;
     double sum = 0;
-    for (const auto& cell : state.mesh.fluid.nodes) {
+    const int nOwn = nOwnCells<Dim>(state);
+    for (int e = 0; e < state.mesh.fluid.size(); ++e) {
+        const auto& cell = state.mesh.fluid.nodes[e];
         if (std::all_of(cell.begin(), cell.end(), [&](int i) { return x[i] == nodes.x[i]; })) continue;
         const double change = simplexMeasure<Dim>(x, cell) - simplexMeasure<Dim>(nodes.x, cell);
-        sum += change;
+        if (e < nOwn) sum += change;
         for (const int i : cell) nodes.lostVolume[i] += change / (Dim + 1);
     }
     nodes.x = std::move(x);

@@ -169,6 +169,30 @@ TEST(Openings, aSluiceBelowAGate) {
     EXPECT_NEAR(low, 0.1, 0.005);
 }
 
+// The same when water falls on the stream along the gate: the lip's node stays, whoever comes near, and the stream has
+// its depth again when that water has gone.
+TEST(Openings, aSluiceThatIsSplashed) {
+    TestCase c =
+        makeCase("meshSize 0.02; bodies ( water { type fluid; material water; " + rectangle(0, 0, 0.6, 0.1) +
+                     " velocity (3 0); } splash { type fluid; material water; " + rectangle(0, 0.15, 0.1, 0.3) +
+                     " velocity (-0.5 -1.5); } ); walls ( gate { points ((0 0.5) (0 0.1)); } bed { points ((0 "
+                     "0) (2 0)); } sluice { points ((0 0.1) (0 0)); } );",
+                 water, "gate { type slip; } bed { type slip; } sluice { type inlet; velocity 3; }");
+    c.start(1e-3);
+    run(c, 0.7, 2e-3);
+    EXPECT_NEAR(c.state.ledger[VolumeCause::inflow], 0.7 * 3 * 0.1, 1e-10);
+    double top = 0, low = 1;
+    const auto topology = c.topology();
+    for (int i = 0; i < c.state.nodes.size(); ++i) {
+        const auto& x = c.state.nodes.x[i];
+        if (!topology.wet(i) || !topology.freeSurface[i] || x[0] > 0.3) continue;
+        top = std::max(top, x[1]);
+        low = std::min(low, x[1]);
+    }
+    EXPECT_NEAR(top, 0.1, 0.01);
+    EXPECT_NEAR(low, 0.1, 0.01);
+}
+
 // A basin that runs dry goes on being computed: its last triangles change by much of themselves.
 TEST(Openings, aBasinRunsDry) {
     TestCase c =

@@ -2,32 +2,17 @@
 
 #include <gtest/gtest.h>
 
-#include "conditions/periodic.hpp"
 #include "conditions/sides.hpp"
 #include "mesher/space/readSpaceDict.hpp"
 #include "mesher/space/spaceMesher.hpp"
-#include "solver/checkPeriodic.hpp"
+#include "periodicCases.hpp"
 #include "state/volume.hpp"
-#include "support/cases.hpp"
 #include "support/cases3.hpp"
 
 using namespace pfem;
 using namespace pfem::test;
 
 namespace {
-
-/// Between x = 0 and `length`; walls go on beyond.
-TestCase periodic(double length, const std::string& mesh, const std::string& materials, const std::string& conditions,
-                  const Vec<2>& gravity) {
-    TestCase c = makeCase(mesh, materials, conditions, gravity);
-    c.problem.period.length[0] = length;
-    return c;
-}
-
-void run(TestCase& c, double time, double dt) {
-    const double end = c.state.time.value + time;
-    while (c.state.time.value < end - 0.1 * dt) c.step(std::min(dt, end - c.state.time.value));
-}
 
 /// sum rho |e| v of the cells that count.
 Vec<2> momentum(const TestCase& c) {
@@ -217,18 +202,6 @@ TEST(PeriodicSides, vorticesOfTaylorAndGreen) {
 }
 
 // ---- what is refused
-
-std::string refusalOf(const TestCase& c, const std::string& file) {
-    const auto dict = Dictionary::parse(file, "periodic");
-    Problem<2> problem = c.problem;
-    try {
-        problem.period = periodOf<2>(dict, readEntries<PeriodicEntries>(dict));
-        checkPeriodic<2>(dict, problem, c.state);
-    } catch (const UserError& error) {
-        return error.what();
-    }
-    return "";
-}
 
 TEST(PeriodicSides, refused) {
     const std::string mesh =

@@ -1,0 +1,47 @@
+#pragma once
+// The flow that a body force holds through periodic sides: entries of constant/periodic.
+//
+//     x         (0 2);
+//     flowRate  (0.1 0 0);
+
+#include "dictionary/function1.hpp"
+#include "state/images.hpp"
+
+namespace pfem {
+
+/// Over time: volume through the sides, the mean over all sections between them [m2/s (2D), m3/s], or the mean velocity
+/// of the fluid [m/s].
+struct HeldFlow {
+    Function1Ptr<Eigen::Vector3d> value;
+    bool ofVolume = false;  // which of them
+
+    /// int v dV of so much fluid at time t; zero in directions without sides, where nothing is held.
+    template <int Dim>
+    Vec<Dim> integral(const Period<Dim>& period, double volume, double t) const {
+        const Vec<Dim> flow = value->value(t).template head<Dim>();
+        const Vec<Dim> length = ofVolume ? period.length : Vec<Dim>::Constant(volume);
+        return (period.length.array() > 0).select(flow.cwiseProduct(length), Vec<Dim>::Zero());
+    }
+};
+
+/// `flowRate` or `meanVelocity`; null: neither. Throws UserError for both, and for a flow along a direction without
+/// sides.
+template <int Dim>
+std::shared_ptr<const HeldFlow> heldFlowOf(const Dictionary& dict, const Period<Dim>& period) {
+    if (dict.found("flowRate") && dict.found("meanVelocity"))
+        dict.fatal("meanVelocity", "Give either flowRate or meanVelocity, not both");
+    const bool ofVolume = dict.found("flowRate");
+    const std::string key = ofVolume ? "flowRate" : "meanVelocity";
+    if (!dict.found(key)) return nullptr;
+    auto flow = std::make_shared<HeldFlow>();
+    flow->ofVolume = ofVolume;
+    flow->value = Dim == 2 ? readPlaneFunction1(dict, key) : readFunction1<Eigen::Vector3d>(dict, key);
+    for (int k = 0; k < Dim; ++k)
+        for (const double t : {0.0, 0.1, 1.0, 10.0})
+            if (period.length[k] == 0 && flow->value->value(t)[k] != 0)
+                dict.fatal(key, std::string("the flow is held between periodic sides, and there are none in ") +
+                                    "xyz"[k] + ": the component must be 0");
+    return flow;
+}
+
+}  // namespace pfem
