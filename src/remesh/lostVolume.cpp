@@ -23,7 +23,7 @@ void mixMomentum(const Topology<Dim>& topology, const std::vector<Simplex<Dim>>&
     parallelFor(nodes.size(), [&](int i) {
         if (topology.onSolid[i]) return;
         Vec<Dim> gained = Vec<Dim>::Zero();
-        double patch = 0;
+        double patch = 0, taken = 0;
         for (int s = topology.fluid.start[i]; s < topology.fluid.start[i + 1]; ++s) {
             const int e = topology.fluid.cell[s];
             patch += weight[e] / (Dim + 1);
@@ -36,9 +36,11 @@ void mixMomentum(const Topology<Dim>& topology, const std::vector<Simplex<Dim>>&
                 sum += gives * v[other];
                 of += gives;
             }
-            if (of > 0) gained += share * (sum / of - v[i]);
+            if (!(of > 0)) continue;
+            gained += share * (sum / of - v[i]);
+            taken += share;
         }
-        if (patch > 0) nodes.v[i] += gained / waterOf(patch, nodes.lostVolume[i]);
+        if (patch > 0) nodes.v[i] += gained / std::max(taken, waterOf(patch, nodes.lostVolume[i]));
     });
 }
 
