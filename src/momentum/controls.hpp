@@ -48,7 +48,6 @@ struct MomentumControls {
     double waveDamping = 0.01;
     double linearTolerance = 1e-6;
     int maxLinearIterations = 500;
-    bool lostMass = false;
 
     FluidMass fluidMass() const { return mass == "lumped" ? FluidMass::lumped : FluidMass::consistent; }
 
@@ -60,9 +59,6 @@ struct MomentumControls {
           "ten triangles' length have their period within 0.3 % instead of 3 %, for conjugate gradients in each "
           "iteration",
           oneOf({"lumped", "consistent"}));
-        v("lostMass", lostMass, "-",
-          "yes: a node weighs what its water does, with what it lacks or has too much (lostVolume): closed voids, and "
-          "what comes back later, take no momentum and bring none");
         v("theta", theta, "-",
           "factor of the bulk term of the fluid in the momentum MATRIX (preconditioner only; the paper: 1)",
           nonNegative);

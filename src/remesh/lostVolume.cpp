@@ -5,44 +5,10 @@
 #include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
 #include "remesh/heirs.hpp"
-#include "state/lostMass.hpp"
 
 namespace pfem {
 
 namespace {
-
-/// What cells level is water that goes from some of their nodes to others, with its velocity:
-///     v_I += sum_e max(g_I, 0) (v_e - v_I)/water_I,    g_I: what e gives to I, v_e: mean of those that give.
-/// `pool`: D_e/(d+1); `intensity`: lost/((d+1) Omega) before; lostVolume: after.
-template <int Dim>
-void mixMomentum(const Topology<Dim>& topology, const std::vector<Simplex<Dim>>& cells,
-                 const std::vector<double>& weight, const std::vector<double>& pool,
-                 const std::vector<double>& intensity, Nodes<Dim>& nodes) {
-    const Points<Dim> v = nodes.v;
-    const auto given = [&](int e, int node) { return pool[e] - weight[e] * intensity[node]; };
-    parallelFor(nodes.size(), [&](int i) {
-        if (topology.onSolid[i]) return;
-        Vec<Dim> gained = Vec<Dim>::Zero();
-        double patch = 0, taken = 0;
-        for (int s = topology.fluid.start[i]; s < topology.fluid.start[i + 1]; ++s) {
-            const int e = topology.fluid.cell[s];
-            patch += weight[e] / (Dim + 1);
-            const double share = given(e, i);
-            if (!(share > 0)) continue;
-            Vec<Dim> sum = Vec<Dim>::Zero();
-            double of = 0;
-            for (const int other : cells[e]) {
-                const double gives = std::max(0.0, -given(e, other));
-                sum += gives * v[other];
-                of += gives;
-            }
-            if (!(of > 0)) continue;
-            gained += share * (sum / of - v[i]);
-            taken += share;
-        }
-        if (patch > 0) nodes.v[i] += gained / std::max(taken, waterOf(patch, nodes.lostVolume[i]));
-    });
-}
 
 /// What nodes that went and places on walls and solids that fell dry lack, to their old neighbours. Returns
 /// what found no heir.
@@ -108,9 +74,8 @@ void exchangeWithDrops(const MovedMesh<Dim>& moved, const std::vector<int>& newI
 }  // namespace
 
 template <int Dim>
-void chargeMotion(const Topology<Dim>& topology, const std::vector<Simplex<Dim>>& cells, const Points<Dim>& xOld,
-                  bool mixes, Nodes<Dim>& nodes) {
-    const NodeToCells& around = topology.fluid;
+void chargeMotion(const NodeToCells& around, const std::vector<Simplex<Dim>>& cells, const Points<Dim>& xOld,
+                  Nodes<Dim>& nodes) {
     const int nCells = static_cast<int>(cells.size());
     std::vector<double> change(nCells), weight(nCells), pool(nCells);
     parallelFor(nCells, [&](int e) {
@@ -134,7 +99,6 @@ void chargeMotion(const Topology<Dim>& topology, const std::vector<Simplex<Dim>>
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) sum += pool[around.cell[s]];
         if (volume[i] > 0) nodes.lostVolume[i] = sum;
     });
-    if (mixes) mixMomentum<Dim>(topology, cells, weight, pool, intensity, nodes);
 }
 
 template <int Dim>
@@ -163,10 +127,9 @@ void bookRemeshing(const MovedMesh<Dim>& moved, const NodePlan<Dim>& plan, const
     exchangeWithDrops(moved, newIndex, wet, state.nodes);
 }
 
-#define PFEM_INSTANTIATE(D)                                                                                   \
-    template void chargeMotion<D>(const Topology<D>&, const std::vector<Simplex<D>>&, const Points<D>&, bool, \
-                                  Nodes<D>&);                                                                 \
-    template void bookRemeshing<D>(const MovedMesh<D>&, const NodePlan<D>&, const std::vector<int>&,          \
+#define PFEM_INSTANTIATE(D)                                                                                         \
+    template void chargeMotion<D>(const NodeToCells&, const std::vector<Simplex<D>>&, const Points<D>&, Nodes<D>&); \
+    template void bookRemeshing<D>(const MovedMesh<D>&, const NodePlan<D>&, const std::vector<int>&,                \
                                    const std::vector<CellChange<D>>&, VolumeLedger&, State<D>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)

@@ -15,11 +15,9 @@ namespace pfem {
 /// The nodes moved from xOld: each patch is charged with its change, lost_I -= Omega_I(x) - Omega_I(xOld).
 /// Then every cell levels what its nodes lack, so that the return does not press on single nodes:
 ///     lost_I <- sum_e D_e/(d+1),   D_e = sum_K lost_K |e|/((d+1) Omega_K).
-/// `mixes`: what is levelled takes its momentum along, so that sum rho (Omega + lost) v stays (MomentumControls::
-/// lostMass).
 template <int Dim>
-void chargeMotion(const Topology<Dim>& topology, const std::vector<Simplex<Dim>>& cells, const Points<Dim>& xOld,
-                  bool mixes, Nodes<Dim>& nodes);
+void chargeMotion(const NodeToCells& around, const std::vector<Simplex<Dim>>& cells, const Points<Dim>& xOld,
+                  Nodes<Dim>& nodes);
 
 /// Book a remeshing into its sheet and into what nodes lack. `changes`: a third of each triangle to each of its nodes;
 /// what is left of the change of all cells is `reshaped`: of a removed surface node, the triangle that it cuts off,

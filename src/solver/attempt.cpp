@@ -112,10 +112,9 @@ State<Dim> attemptUnfolded(const Problem<Dim>& problemOfRun, const Controls& con
     const double allowed = allowedSpeed<Dim>(motion.topology, state.nodes);
 
     try {
-        const auto outcome = runRules<Dim>(remeshingRules<Dim>(),
-                                           {problem, controls.remeshing, motion, triangulator,
-                                            controls.momentum.fluidMass(), controls.momentum.lostMass},
-                                           state);
+        const auto outcome =
+            runRules<Dim>(remeshingRules<Dim>(),
+                          {problem, controls.remeshing, motion, triangulator, controls.momentum.fluidMass()}, state);
         report.returned = outcome.returned;
         if (outcome.connectivity) report.mesh = *outcome.connectivity;
     } catch (const StepFailure& failure) {  // the new mesh is unfinished

@@ -8,25 +8,8 @@
 #include "momentum/rigidInertia.hpp"
 #include "momentum/surfaceStiffness.hpp"
 #include "solver/scales.hpp"
-#include "state/lostMass.hpp"
 
 namespace pfem {
-
-namespace {
-
-/// The masses at x^n; with `lostMass` those of the nodes' water, which stay so over the step.
-template <int Dim>
-std::vector<double> firstMass(bool lostMass, const Nodes<Dim>& old, const FluidPhase<Dim>& fluid,
-                              const SolidPhase<Dim>& solid) {
-    auto mass = nodalMass<Dim>(fluid, solid);
-    const auto& patch = fluid.domains.volume;
-    for (int i = 0; lostMass && i < old.size(); ++i)
-        if (patch[i] > 0)
-            mass[i] = solid.mass[i] + (mass[i] - solid.mass[i]) * waterOf(patch[i], old.lostVolume[i]) / patch[i];
-    return mass;
-}
-
-}  // namespace
 
 template <int Dim>
 MomentumSystem<Dim> MomentumEquation<Dim>::makeSystem(const Controls& controls) const {
@@ -50,8 +33,7 @@ MomentumEquation<Dim>::MomentumEquation(const Step<Dim>& step, const Controls& c
       tolerance_(controls.convergence.tolU),
       solidForceOld_(step.old.size(), Vec<Dim>::Zero()),
       stiffness_(surfaceStiffness<Dim>(step.problem, step.mesh.fluid, step.topology, step.old.x, step.midpoint)),
-      lostMass_(controls.momentum.lostMass),
-      mass_(firstMass<Dim>(lostMass_, step.old, fluid, solid)),
+      mass_(nodalMass<Dim>(fluid, solid)),
       system_(makeSystem(controls)),
       contact_(step.contacts ? *step.contacts : std::vector<ContactPair<Dim>>(), step.dt(),
                step.problem.contact.friction) {
@@ -63,7 +45,7 @@ Points<Dim> MomentumEquation<Dim>::residual(const Trial<Dim>& trial, double chan
     const int n = trial.end.size();
     const double gamma = step_.gamma();
     if (!fluid_.newtonian) system_.updateViscosity();
-    if (!lostMass_) mass_ = nodalMass<Dim>(fluid_, solid_);
+    mass_ = nodalMass<Dim>(fluid_, solid_);
     const double damped =
         2 * waveDamping_ * step_.dt() * std::sqrt(step_.problem.gravity.norm() / meanSize<Dim>(step_.old));
     if (viscous_.empty() || std::max(system_.viscousNumber(), damped) * change > 0.1 * tolerance_)

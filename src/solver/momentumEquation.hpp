@@ -53,7 +53,6 @@ private:
     double tolerance_;           // of |dv|/|v|
     Points<Dim> solidForceOld_;  // at t^n
     Points<Dim> stiffness_;      // of the surface
-    bool lostMass_;              // MomentumControls::lostMass
     std::vector<double> mass_;
     MomentumSystem<Dim> system_;
     ContactForces<Dim> contact_;

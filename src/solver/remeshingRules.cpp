@@ -114,7 +114,7 @@ void squeezeOut(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutc
 template <int Dim>
 void chargeNodes(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>&) {
     for (int i = 0; i < state.nodes.size(); ++i) state.nodes.lostVolume[i] += c.motion.compressed[i];
-    chargeMotion<Dim>(c.motion.topology, state.mesh.fluid.nodes, c.motion.xOld, c.lostMass, state.nodes);
+    chargeMotion<Dim>(c.motion.topology.fluid, state.mesh.fluid.nodes, c.motion.xOld, state.nodes);
 }
 
 template <int Dim>

@@ -32,7 +32,6 @@ struct RemeshingContext {
     const Motion<Dim>& motion;
     Triangulator<Dim>& triangulator;  // has the triangulation of the step before, or none
     FluidMass mass = FluidMass::lumped;
-    bool lostMass = false;  // MomentumControls::lostMass
 };
 
 /// What rules tell those after them, and the log.

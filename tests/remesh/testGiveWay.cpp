@@ -55,7 +55,7 @@ TEST(GiveWay, aNodeBringsWhatItLacks) {
             EXPECT_NEAR(step, std::abs(lost) / t.h * (j == i ? 0.5 : 0.25), 0.05 * std::abs(lost) / t.h);
         }
         EXPECT_EQ(moved, 3);
-        chargeMotion<2>(t.topology, t.c.state.mesh.fluid.nodes, x, false, t.c.state.nodes);
+        chargeMotion<2>(t.topology.fluid, t.c.state.mesh.fluid.nodes, x, t.c.state.nodes);
         double left = 0;
         for (double amount : t.c.state.nodes.lostVolume) left += amount;
         EXPECT_NEAR(left, 0, 5e-3 * std::abs(lost));
