@@ -89,7 +89,8 @@ void advance(const Ranks& ranks, TimeControl& clock, Simulation<Dim>& simulation
     RunSummary summary;
     while (ranks.ofFirst(clock.running(state.time))) {
         const CourantRate rate = courantRate<Dim>(state);
-        const double coming = inletRate<Dim>(simulation.problem.conditions, state, state.time.value);
+        const double coming =
+            inletRate<Dim>(simulation.problem.conditions, simulation.problem.period, state, state.time.value);
         const double dt = clock.deltaT(state.time, {.courant = std::max(rate.largest, coming),
                                                     .relative = rate.relative,
                                                     .compression = rate.compression,

@@ -13,12 +13,19 @@ namespace pfem {
 /// of the fluid [m/s].
 struct HeldFlow {
     Function1Ptr<Eigen::Vector3d> value;
-    bool ofVolume = false;  // which of them
+    bool ofVolume = false;  // flowRate
+    Location where;         // of the dictionary
 
-    /// int v dV of so much fluid at time t; zero in directions without sides, where nothing is held.
+    /// int v dV of so much fluid at time t; zero in directions without sides, where nothing is held. Throws UserError
+    /// for a flow along one of these.
     template <int Dim>
     Vec<Dim> integral(const Period<Dim>& period, double volume, double t) const {
         const Vec<Dim> flow = value->value(t).template head<Dim>();
+        for (int k = 0; k < Dim; ++k)
+            if (period.length[k] == 0 && flow[k] != 0)
+                throw UserError(std::string("the flow is held between periodic sides, and there are none in ") +
+                                    "xyz"[k] + ": the component must be 0",
+                                where);
         const Vec<Dim> length = ofVolume ? period.length : Vec<Dim>::Constant(volume);
         return (period.length.array() > 0).select(flow.cwiseProduct(length), Vec<Dim>::Zero());
     }
@@ -36,11 +43,8 @@ std::shared_ptr<const HeldFlow> heldFlowOf(const Dictionary& dict, const Period<
     auto flow = std::make_shared<HeldFlow>();
     flow->ofVolume = ofVolume;
     flow->value = Dim == 2 ? readPlaneFunction1(dict, key) : readFunction1<Eigen::Vector3d>(dict, key);
-    for (int k = 0; k < Dim; ++k)
-        for (const double t : {0.0, 0.1, 1.0, 10.0})
-            if (period.length[k] == 0 && flow->value->value(t)[k] != 0)
-                dict.fatal(key, std::string("the flow is held between periodic sides, and there are none in ") +
-                                    "xyz"[k] + ": the component must be 0");
+    flow->where = dict.where();
+    if (flow->value->isConstant()) flow->integral<Dim>(period, 0, 0);  // others are looked at as time goes on
     return flow;
 }
 

@@ -1,9 +1,9 @@
 #include "conditions/inflow.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "mesh/simplex.hpp"
-#include "state/ownFaces.hpp"
 
 namespace pfem {
 
@@ -73,7 +73,7 @@ double wetArea(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& t
                const std::vector<Id>& id, int patch) {
     double area = 0;
     for (const auto& face : topology.faces)
-        if (face.wall >= 0 && topology.walls[face.wall].patch == patch && isOwnFace<Dim>(id, face.nodes) &&
+        if (face.wall >= 0 && topology.walls[face.wall].patch == patch && isOwn(id, face.nodes) &&
             std::all_of(face.nodes.begin(), face.nodes.end(),
                         [&](int i) { return inletOf<Dim>(conditions, topology, i) == patch; }))
             area += faceArea<Dim>(x, face.nodes).norm();
@@ -146,7 +146,7 @@ Inflow<Dim> inflowOf(const BoundaryConditions<Dim>& conditions, const Topology<D
         const auto speed = [&](int i) { return sticks<Dim>(conditions, topology, i) ? 0 : spread.speed(x[i]); };
         double swept = 0;  // per time, with c = 1
         for (const auto& face : topology.faces)
-            if (face.kind == FaceKind::wall && isOwnFace<Dim>(nodes.id, face.nodes))
+            if (face.kind == FaceKind::wall && isOwn(nodes.id, face.nodes))
                 for (const int node : face.nodes)
                     if (patchOf[node] == k) swept -= speed(node) * e.dot(faceArea<Dim>(x, face.nodes)) / Dim;
         const double area = wetArea<Dim>(conditions, topology, x, nodes.id, k), rate = inlet.ofVolume ? 1 : area;
@@ -172,17 +172,24 @@ Inflow<Dim> inflowOf(const BoundaryConditions<Dim>& conditions, const Topology<D
 }
 
 template <int Dim>
-double inletRate(const BoundaryConditions<Dim>& conditions, const State<Dim>& state, double t) {
+double inletRate(const BoundaryConditions<Dim>& conditions, const Period<Dim>& period, const State<Dim>& state,
+                 double t) {
     constexpr double peak = 1.5;  // of a parabola over its mean
     double rate = 0;
     for (std::size_t k = 0; k < conditions.inlet.size(); ++k) {
         if (!conditions.inlet[k]) continue;
         const Inlet& inlet = *conditions.inlet[k];
         double area = 0, h = std::numeric_limits<double>::max();
+        Eigen::AlignedBox<double, Dim> box;
         for (const auto& face : state.mesh.patches[k].faces) {
             area += faceArea<Dim>(state.nodes.x, face).norm();
-            for (const int node : face) h = std::min(h, state.nodes.h[node]);
+            for (const int node : face) {
+                h = std::min(h, state.nodes.h[node]);
+                box.extend(state.nodes.x[node]);
+            }
         }
+        for (int d = 0; d < Dim; ++d)
+            if (period.length[d] > 0) area *= std::min(1.0, period.length[d] / box.sizes()[d]);
         const double speed = std::abs(inlet.at(t)) / (inlet.ofVolume ? area : 1);
         rate = std::max(rate, (inlet.profile == Inlet::Profile::uniform ? 1 : peak) * speed / h);
     }
@@ -195,7 +202,7 @@ double inletRate(const BoundaryConditions<Dim>& conditions, const State<Dim>& st
     template std::vector<int> lipNodes<D>(const BoundaryConditions<D>&, const Topology<D>&, const Nodes<D>&);    \
     template Inflow<D> inflowOf<D>(const BoundaryConditions<D>&, const Topology<D>&, const Points<D>&,           \
                                    const Nodes<D>&, double, double);                                             \
-    template double inletRate<D>(const BoundaryConditions<D>&, const State<D>&, double);
+    template double inletRate<D>(const BoundaryConditions<D>&, const Period<D>&, const State<D>&, double);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

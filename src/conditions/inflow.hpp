@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "conditions/boundaryConditions.hpp"
-#include "state/state.hpp"
+#include "state/images.hpp"
 
 namespace pfem {
 
@@ -30,7 +30,8 @@ struct DrivenNode {
 template <int Dim>
 int inletOf(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology, int node);
 
-/// Nodes at lips: on an edge of an inlet that goes over smoothly into a wall, where the stream's surface begins.
+/// Nodes at lips: on an edge of an inlet that is no corner of the walls (a free end, or a wall that goes on smoothly),
+/// where the stream's surface begins.
 template <int Dim>
 std::vector<int> lipNodes(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology,
                           const Nodes<Dim>& nodes);
@@ -52,7 +53,9 @@ Inflow<Dim> inflowOf(const BoundaryConditions<Dim>& conditions, const Topology<D
                      const Nodes<Dim>& nodes, double t0, double t1);
 
 /// Largest speed over mesh size of the water that the inlets bring at time t, about: dry ones hold the step, too [1/s].
+/// `period`: of an inlet that is drawn on beyond periodic sides, the part between them brings the flow rate.
 template <int Dim>
-double inletRate(const BoundaryConditions<Dim>& conditions, const State<Dim>& state, double t);
+double inletRate(const BoundaryConditions<Dim>& conditions, const Period<Dim>& period, const State<Dim>& state,
+                 double t);
 
 }  // namespace pfem

@@ -15,12 +15,18 @@ namespace pfem {
 
 namespace {
 
-/// Lumped masses of the fluid, drops included; images of periodic sides have none [kg/m (2D), kg].
+/// Lumped masses of the fluid's cells, each counted once [kg/m (2D), kg].
 template <int Dim>
-std::vector<double> massOfNodes(const Problem<Dim>& problem, const State<Dim>& state) {
+PerNode<double> massOfCells(const Problem<Dim>& problem, const State<Dim>& state) {
     auto own = state.mesh.fluid;
     own.nodes.resize(nOwnCells<Dim>(state));
-    auto mass = fluidMass<Dim>(problem, own, state.nodes.x);
+    return fluidMass<Dim>(problem, own, state.nodes.x);
+}
+
+/// The same with drops.
+template <int Dim>
+PerNode<double> massOfNodes(const Problem<Dim>& problem, const State<Dim>& state) {
+    auto mass = massOfCells<Dim>(problem, state);
     const ViscousFluid* first = firstFluid(problem.materials);
     if (!first) return mass;
     for (int i = 0; i < nOwnNodes<Dim>(state); ++i) mass[i] += first->rho * state.nodes.dropVolume[i];
@@ -102,11 +108,11 @@ MomentumRates momentumRates(const Problem<Dim>& problemOfRun, const Controls& co
     Points<Dim> around(nodes.size(), Vec<Dim>::Zero());
     addSideFriction<Dim>(problem, mesh.fluid, fluid.domains, nodes.v, around);
     addDamping<Dim>(problem, mesh.fluid, fluid.domains, nodes, around);
-    const auto mass = massOfNodes<Dim>(problem, state);
-    const Vec<Dim> force = problem.gravity + driveOf<Dim>(problem, controls, state);
+    const auto mass = massOfNodes<Dim>(problem, state), driven = massOfCells<Dim>(problem, state);  // no drops
+    const Vec<Dim> drive = driveOf<Dim>(problem, controls, state);
     for (int i = 0; i < nodes.size(); ++i) {
         rates.viscous += w[i] * volume.direction.dot(around[i] - viscous[i]);
-        rates.gravity += w[i] * mass[i] * volume.direction.dot(force);
+        rates.gravity += w[i] * volume.direction.dot(mass[i] * problem.gravity + driven[i] * drive);
     }
     return rates;
 }

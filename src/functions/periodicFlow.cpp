@@ -19,7 +19,8 @@ FluidFlow<Dim> fluidFlow(const State<Dim>& state) {
 }
 
 template <int Dim>
-PeriodicFlow<Dim>::PeriodicFlow(const Dictionary&, const FunctionContext<Dim>& context) : context_(context) {}
+PeriodicFlow<Dim>::PeriodicFlow(const Dictionary& dict, const FunctionContext<Dim>& context)
+    : context_(context), where_(dict.where()) {}
 
 template <int Dim>
 void PeriodicFlow<Dim>::start(const State<Dim>& state) {
@@ -27,9 +28,12 @@ void PeriodicFlow<Dim>::start(const State<Dim>& state) {
     controls_ = readControls(Case(context_.root), nullptr);
     if (!problem_->period.any())
         throw UserError("the function '" + context_.name +
-                        "' is of type periodicFlow, but there are no periodic sides (constant/periodic)");
+                            "' is of type periodicFlow, but there are no periodic sides (constant/periodic)",
+                        where_);
     table_.emplace(context_.folder / "periodicFlow.dat", context_.precision, context_.resumeAt);
-    table_->comment("Flow through periodic sides [m2/s (2D), m3/s], mean velocity [m/s], held by [m/s2]");
+    table_->comment(
+        "Flow through periodic sides [m2/s (2D), m3/s], mean velocity [m/s], acceleration of the force that holds it "
+        "[m/s2]");
     table_->header({"Time", "flowRate", "meanVelocity", "drive"});
 }
 

@@ -31,6 +31,7 @@ public:
 
 private:
     FunctionContext<Dim> context_;
+    Location where_;  // of the function in controlDict
     std::optional<Problem<Dim>> problem_;
     Controls controls_;
     std::optional<Table> table_;

@@ -34,11 +34,12 @@ LawType<SolidLaw> rigidType() {
                             "named sub-dictionaries: type point, line (direction), plane (normal) of the centre of "
                             "rotation; axis (axis), orientation of the turning",
                             ""});
-    type.entries.push_back({"restraints", "dictionary", "-", "{}",
-                            "named sub-dictionaries: type linearSpring (anchor, refAttachmentPt, stiffness, damping, "
-                            "restLength), linearDamper (coeff), linearAxialAngularSpring (axis, stiffness, damping), "
-                            "sphericalAngularDamper (coeff)",
-                            ""});
+    type.entries.push_back(
+        {"restraints", "dictionary", "-", "{}",
+         "named sub-dictionaries: type linearSpring (anchor, refAttachmentPt, stiffness, damping, "
+         "restLength, tensionOnly), linearDamper (coeff), linearAxialAngularSpring (axis, stiffness, damping), "
+         "sphericalAngularDamper (coeff)",
+         ""});
     return type;
 }
 

@@ -16,13 +16,14 @@ struct RigidConstraint {
 };
 
 /// `linearSpring`: - stiffness (d - restLength) along the line from `anchor` to the body's point `refAttachmentPt`, d
-/// their distance, less damping times the velocity along it. `linearDamper`: - coeff v of the centre of mass.
-/// `linearAxialAngularSpring`: moment - stiffness angle - damping rate about `axis`. `sphericalAngularDamper`: - coeff
-/// omega.
+/// their distance, less damping times the velocity along it; `tensionOnly`: a mooring line, which never pushes.
+/// `linearDamper`: - coeff v of the centre of mass. `linearAxialAngularSpring`: moment - stiffness angle - damping rate
+/// about `axis`. `sphericalAngularDamper`: - coeff omega.
 struct RigidRestraint {
     enum class Type { linearSpring, linearDamper, linearAxialAngularSpring, sphericalAngularDamper } type;
     Eigen::Vector3d anchor = Eigen::Vector3d::Zero(), refAttachmentPt = anchor, axis = Eigen::Vector3d::UnitZ();
     double stiffness = 0, damping = 0, restLength = 0, coeff = 0;
+    bool tensionOnly = false;
 };
 
 std::vector<RigidConstraint> readRigidConstraints(const Dictionary& all);

@@ -52,6 +52,7 @@ std::vector<RigidRestraint> readRigidRestraints(const Dictionary& all) {
             r.anchor = entry.get<Eigen::Vector3d>("anchor");
             r.refAttachmentPt = entry.get<Eigen::Vector3d>("refAttachmentPt");
             r.restLength = atLeastZero(entry, "restLength", entry.get<double>("restLength", 0));
+            r.tensionOnly = entry.get<bool>("tensionOnly", false);
         } else if (angular) {
             r.type = Type::linearAxialAngularSpring;
             r.axis = unitVector(entry, "axis");

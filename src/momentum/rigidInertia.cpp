@@ -82,6 +82,7 @@ Twist<Dim> restraining(const RigidRestraint& r, const RigidBody<Dim>& body, cons
         if (d.norm() == 0) return Twist<Dim>::Zero();
         const Vec<Dim> n = d.normalized(), v = between(old.velocity(arm), end.velocity(arm));
         const double force = -r.stiffness * (d.norm() - r.restLength) - r.damping * v.dot(n);
+        if (r.tensionOnly && (d.norm() <= r.restLength || force > 0)) return Twist<Dim>::Zero();
         return wrench<Dim>(place - at, force * n);
     }
     if (r.type == Type::linearDamper) {
@@ -128,6 +129,14 @@ void addRigidInertia(const Step<Dim>& step, const Trial<Dim>& trial, Points<Dim>
 
 namespace {
 
+/// A line that is slack now and, as the body moves, after dt.
+template <int Dim>
+bool isSlack(const RigidRestraint& r, const RigidBody<Dim>& body, const Vec<Dim>& arm, double dt) {
+    const Vec<Dim> d = body.pose.place(arm) - r.anchor.head<Dim>();
+    const Vec<Dim> later = d + dt * leverRows<Dim>(body.pose.lever(arm)) * body.twist;
+    return r.tensionOnly && std::max(d.norm(), later.norm()) <= r.restLength;
+}
+
 template <int Dim>
 TwistMatrix<Dim> rigidMatrix(const RigidBody<Dim>& body, const Nodes<Dim>& nodes, const MidpointRule& midpoint) {
     TwistMatrix<Dim> A = midpoint.massFactor() * body.massMatrix(body.pose);
@@ -137,7 +146,7 @@ TwistMatrix<Dim> rigidMatrix(const RigidBody<Dim>& body, const Nodes<Dim>& nodes
         double linear = 0;
         if (r.type == Type::linearSpring) {
             arm = armOf<Dim>(body, nodes, r.refAttachmentPt);
-            linear = spring;
+            linear = isSlack<Dim>(r, body, arm, midpoint.dt) ? 0 : spring;
         }
         if (r.type == Type::linearDamper) linear = r.coeff;
         const auto rows = leverRows<Dim>(body.pose.lever(arm));

@@ -64,6 +64,8 @@ void joinDrops(const RemeshingControls& controls, MovedMesh<Dim>& moved, State<D
 template <int Dim>
 std::vector<int> squeezeDrops(const std::vector<int>& pinched, MovedMesh<Dim>& moved) {
     const auto& topology = moved.topology;
+    std::vector<unsigned char> goes(moved.x.size(), 0);
+    for (const int i : pinched) goes[i] = 1;
     std::vector<int> homeless;
     for (const int drop : pinched) {
         int& heir = moved.joins[drop];
@@ -71,7 +73,8 @@ std::vector<int> squeezeDrops(const std::vector<int>& pinched, MovedMesh<Dim>& m
         double nearest = std::numeric_limits<double>::max();
         for (int i = 0; i < topology.nNodes(); ++i) {
             const double distance = (moved.x[i] - moved.x[drop]).norm();
-            if (distance >= nearest || !topology.wet(i) || topology.onWall[i] || topology.onSolid[i]) continue;
+            if (distance >= nearest || goes[i] || !topology.wet(i) || topology.onWall[i] || topology.onSolid[i])
+                continue;
             nearest = distance;
             heir = moved.images.own(i);
         }

@@ -15,8 +15,8 @@ template <int Dim>
 void joinDrops(const RemeshingControls& controls, MovedMesh<Dim>& moved, State<Dim>& state);
 
 /// Drops among `pinched` are squeezed out from between surfaces that close: what they carry goes to the nearest node in
-/// cells that no wall and no solid holds. Returns those that find none; they are let go (MovedMesh::gone). Their
-/// momentum stays with what closes on them.
+/// cells that no wall and no solid holds and that is not pinched itself. Returns those that find none; they are let go
+/// (MovedMesh::gone). Their momentum stays with what closes on them.
 template <int Dim>
 std::vector<int> squeezeDrops(const std::vector<int>& pinched, MovedMesh<Dim>& moved);
 

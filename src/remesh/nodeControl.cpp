@@ -164,7 +164,7 @@ private:
                 const int j = ring_.node[s];
                 if (own(j) < i || locked_[own(i)] || locked_[own(j)]) continue;
                 if (distanceTo(j, moved_.x[i], h_[i]) < controls_.insertDistance) continue;
-                if (kept_[i] && kept_[j] && isBoundaryEdge(i, j)) continue;
+                if (kept_[i] == 1 && kept_[j] == 1 && isBoundaryEdge(i, j)) continue;
                 if (closesGap(i, j) || wouldGoAgain(i, j)) continue;
                 plan_.inserted.push_back({i, j});  // i has the lower master
                 locked_[own(i)] = locked_[own(j)] = 1;

@@ -16,11 +16,14 @@ struct NodePlan {
     std::vector<std::array<int, 3>> cuts;  // (2D) removed surface nodes between their neighbours along the surface
 };
 
+constexpr unsigned char keptAtLip = 2;
+
 /// Inner fluid nodes nearer than removeDistance h to a neighbour go (free-surface and wall nodes:
 /// removeDistanceSurface, only when the neighbour is of the boundary, too; across a film: removeDistanceFilm); edges
 /// longer than insertDistance h are halved. A node that slides into a corner of the walls where another one is held
 /// goes, and an inner one lower than removeHeight h over a face of the free surface. At most one change per patch.
-/// Nodes in corners of walls, of solids and of patches stay. `pinched`: others that have to go.
+/// Nodes in corners of walls stay, and `kept` ones: 1 of solids and patches, between which no boundary edge is divided
+/// either; keptAtLip: at the lip of an inlet. `pinched`: others that have to go.
 template <int Dim>
 NodePlan<Dim> planNodes(const RemeshingControls& controls, const MovedMesh<Dim>& moved, const std::vector<double>& h,
                         const std::vector<unsigned char>& kept, const std::vector<int>& pinched = {});

@@ -192,7 +192,7 @@ void bookGone(const MovedMesh<Dim>& moved, const std::vector<int>& gone, State<D
 /// Of cells and their copies beyond periodic sides those that count.
 template <int Dim>
 void keepOwn(const State<Dim>& state, Connectivity<Dim>& selected) {
-    const auto isCopy = [&](const Simplex<Dim>& cell) { return !isOwnCell<Dim>(state, cell); };
+    const auto isCopy = [&](const Simplex<Dim>& cell) { return !isOwn(state.nodes.id, cell); };
     auto& [fluid, gaps, changes] = selected;
     fluid.erase(std::remove_if(fluid.begin(), fluid.end(), isCopy), fluid.end());
     gaps.erase(std::remove_if(gaps.begin(), gaps.end(), isCopy), gaps.end());
@@ -242,7 +242,8 @@ RemeshReport<Dim> remesh(RemeshTask<Dim> task, Triangulator<Dim>& triangulator, 
     const double drops = std::accumulate(moved.dropVolume.begin(), moved.dropVolume.end(), 0.0);
     bookGone<Dim>(moved, task.gone, state);
     auto kept = keptNodes<Dim>(state.mesh, state.nodes.size());
-    for (const int lip : task.lips) kept[lip] = 1;
+    for (const int lip : task.lips)
+        if (!kept[lip]) kept[lip] = keptAtLip;
     auto plan = planNodes<Dim>(controls, moved, state.nodes.h, kept, task.pinched);
     for (const int drop : task.gone) plan.removed[drop] = 1;
     std::fill(plan.removed.begin() + moved.images.nOwn, plan.removed.end(), 1);  // images are made anew

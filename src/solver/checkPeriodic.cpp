@@ -20,7 +20,7 @@ bool solidsAt(const Period<Dim>& period, int k, double width, const State<Dim>& 
     return false;
 }
 
-/// An inlet whose water is not the same at both sides, or that has none to begin with.
+/// Throws UserError for an inlet whose water is not the same at both sides, or that has none to begin with.
 template <int Dim>
 void checkInlets(const Dictionary& dict, const Problem<Dim>& problem, const State<Dim>& unfolded) {
     const auto& conditions = problem.conditions;
@@ -31,17 +31,20 @@ void checkInlets(const Dictionary& dict, const Problem<Dim>& problem, const Stat
         if (!conditions.inlet[k]) continue;
         const auto& patch = unfolded.mesh.patches[k];
         const auto spread = inletSpread<Dim>(*conditions.inlet[k], patch.faces, nodes.x, unfolded.time.value);
+        double largest = 0, difference = 0;
         bool wet = false;
         for (int i = 0; i < nodes.size(); ++i) {
             if (!topology.wet(i) || inletOf<Dim>(conditions, topology, i) != static_cast<int>(k)) continue;
             wet = true;
             const double here = spread.speed(nodes.x[i]), there = spread.speed(nodes.x[images.own(i)]);
-            if (std::abs(here - there) > 1e-6 * std::max(std::abs(here), std::abs(there)))
-                throw UserError(fmt::format("the profile of the inlet '{}' is not the same at both periodic sides: "
-                                            "profile uniform, or an expression that repeats itself",
-                                            patch.name),
-                                dict.where());
+            largest = std::max({largest, std::abs(here), std::abs(there)});
+            difference = std::max(difference, std::abs(here - there));
         }
+        if (difference > 1e-6 * largest)
+            throw UserError(fmt::format("the profile of the inlet '{}' is not the same at both periodic sides: "
+                                        "profile uniform, or an expression that repeats itself",
+                                        patch.name),
+                            dict.where());
         if (!wet && unfolded.time.index == 0)
             throw UserError(fmt::format("no water wets the inlet '{}': between periodic sides put a body of fluid in "
                                         "front of it",

@@ -1,5 +1,7 @@
 #include "solver/flowDrive.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/LU>
 
 #include "base/parallel.hpp"
@@ -42,7 +44,9 @@ void FlowDrive<Dim>::hold(MomentumEquation<Dim>& momentum, Trial<Dim>& trial, Po
         wanted[a] = missing[directions_[a]];
     }
     const Eigen::VectorXd change = gain.lu().solve(wanted);
-    if (!change.allFinite()) throw StepFailure("no body force holds the flow through the periodic sides");
+    if (!change.allFinite())
+        throw StepFailure(fmt::format("no body force holds the flow through the periodic sides: int v dV lacks {:.4g}",
+                                      missing.norm()));
     for (int a = 0; a < n; ++a) {
         trial.drive[directions_[a]] += change[a];
         parallelFor(static_cast<int>(dv.size()), [&](int i) { dv[i] += change[a] * answers_[a][i]; });

@@ -9,6 +9,7 @@ namespace pfem {
 ///     sum_J Omega_J v_J = Problem::flow    at the end of the step,
 /// Omega in the middle. In each iteration lambda and dv change by what the momentum equation answers to it,
 ///     dv += sum_k dlambda_k s_k,    (M/(gamma dt) + K) s_k = m e_k/gamma;    pressure comes after, as for all of dv.
+/// s_k knows nothing of contacts of solids: these hold in the limit, where dlambda is zero.
 template <int Dim>
 class FlowDrive {
 public:

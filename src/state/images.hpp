@@ -49,11 +49,11 @@ int nOwnNodes(const State<Dim>& state) {
     return static_cast<int>(std::lower_bound(id.begin(), id.end(), firstImage) - id.begin());
 }
 
-/// Of a cell and its copies, shifted by periods, one counts: that whose node with the lowest master is no image.
-template <int Dim>
-bool isOwnCell(const State<Dim>& state, const Simplex<Dim>& cell) {
-    const auto& id = state.nodes.id;
-    const int lowest = *std::min_element(cell.begin(), cell.end(),
+/// Of a cell or face and its copies, shifted by periods, one counts: that whose node with the lowest master is no
+/// image. `id`: of all nodes.
+template <class NodeList>
+bool isOwn(const std::vector<Id>& id, const NodeList& nodes) {
+    const int lowest = *std::min_element(nodes.begin(), nodes.end(),
                                          [&](int i, int j) { return id[i] % firstImage < id[j] % firstImage; });
     return id[lowest] < firstImage;
 }
@@ -64,7 +64,7 @@ int nOwnCells(const State<Dim>& state) {
     const auto& cells = state.mesh.fluid.nodes;
     if (nOwnNodes<Dim>(state) == state.nodes.size()) return state.mesh.fluid.size();
     return static_cast<int>(std::partition_point(cells.begin(), cells.end(),
-                                                 [&](const auto& cell) { return isOwnCell<Dim>(state, cell); }) -
+                                                 [&](const auto& cell) { return isOwn(state.nodes.id, cell); }) -
                             cells.begin());
 }
 

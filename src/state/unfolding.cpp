@@ -112,7 +112,7 @@ void setCopies(const Sides<Dim>& sides, State<Dim>& state) {
     cells.clear();
     material.clear();
     for (std::size_t e = 0; e < all.size(); ++e) {
-        if (!isOwnCell<Dim>(state, all[e])) continue;
+        if (!isOwn(state.nodes.id, all[e])) continue;
         cells.push_back(all[e]);
         material.push_back(materials[e]);
     }

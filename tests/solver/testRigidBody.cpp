@@ -155,6 +155,20 @@ TEST(RigidBody, springsSwingAndDampersStop) {
     EXPECT_NEAR(period(a, 0.005, 800, 0, [](const auto& b) { return b.pose.turn(1, 0); }), roll, 2e-3 * roll);
 }
 
+// Thrown up from where its line is just straight it flies for 2 v/g, then the line swings it back with the same speed.
+TEST(RigidBody, aMooringLineDoesNotPush) {
+    TestCase c = block(
+        "constraints { up { type line; direction (0 1 0); } stiff { type orientation; } }"
+        "restraints { rope { type linearSpring; anchor (0 2 0); refAttachmentPt (0 0.1 0); stiffness 4000; restLength "
+        "1.9; tensionOnly yes; } }",
+        {0, -10});
+    constexpr double v = 3, g = 10, omega = 10;
+    setTwist<2>(c, {0, v, 0});
+    c.start(0.002);
+    const double expected = 2 * v / g + 2 / omega * (M_PI - std::atan(v * omega / g));
+    EXPECT_NEAR(period(c, 0.002, 2000, 0.1, [](const auto& b) { return b.pose.at[1]; }), expected, 2e-3 * expected);
+}
+
 TEST(RigidBody, aClampedPatchPrescribesTheMotion) {
     TestCase c = block("", {0, -10}, "top { edges ((2 3)); }",
                        "top { type clamped; motion { velocity (1 0 0); omega 2; origin (0 0.1 0); } }");
