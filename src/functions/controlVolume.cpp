@@ -23,10 +23,9 @@ PerNode<double> massOfCells(const Problem<Dim>& problem, const State<Dim>& state
     return fluidMass<Dim>(problem, own, state.nodes.x);
 }
 
-/// The same with drops.
+/// `mass` with that of drops.
 template <int Dim>
-PerNode<double> massOfNodes(const Problem<Dim>& problem, const State<Dim>& state) {
-    auto mass = massOfCells<Dim>(problem, state);
+PerNode<double> withDrops(const Problem<Dim>& problem, const State<Dim>& state, PerNode<double> mass) {
     const ViscousFluid* first = firstFluid(problem.materials);
     if (!first) return mass;
     for (int i = 0; i < nOwnNodes<Dim>(state); ++i) mass[i] += first->rho * state.nodes.dropVolume[i];
@@ -86,7 +85,7 @@ double ControlVolume<Dim>::weight(const Vec<Dim>& x) const {
 
 template <int Dim>
 double momentumIn(const Problem<Dim>& problem, const State<Dim>& state, const ControlVolume<Dim>& volume) {
-    const auto mass = massOfNodes<Dim>(problem, state);
+    const auto mass = withDrops<Dim>(problem, state, massOfCells<Dim>(problem, state));
     double sum = 0;
     for (int i = 0; i < state.nodes.size(); ++i)
         sum += mass[i] * volume.weight(state.nodes.x[i]) * volume.direction.dot(state.nodes.v[i]);
@@ -108,7 +107,8 @@ MomentumRates momentumRates(const Problem<Dim>& problemOfRun, const Controls& co
     Points<Dim> around(nodes.size(), Vec<Dim>::Zero());
     addSideFriction<Dim>(problem, mesh.fluid, fluid.domains, nodes.v, around);
     addDamping<Dim>(problem, mesh.fluid, fluid.domains, nodes, around);
-    const auto mass = massOfNodes<Dim>(problem, state), driven = massOfCells<Dim>(problem, state);  // no drops
+    const auto driven = massOfCells<Dim>(problem, state);  // drops are not
+    const auto mass = withDrops<Dim>(problem, state, driven);
     const Vec<Dim> drive = driveOf<Dim>(problem, controls, state);
     for (int i = 0; i < nodes.size(); ++i) {
         rates.viscous += w[i] * volume.direction.dot(around[i] - viscous[i]);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <numeric>
 
 #include "remesh/letGo.hpp"
@@ -141,6 +142,23 @@ TEST(Drops, areSqueezedOut) {
         for (const double lost : c.state.nodes.lostVolume) after += lost;
         EXPECT_NEAR(after, before, 1e-14);
     }
+}
+
+// The nearest node has to go, too: another one gets all that the drop carries.
+TEST(Drops, areNotSqueezedIntoWhatGoes) {
+    std::map<Id, double> lost[2];
+    for (const bool both : {true, false}) {
+        TestCase c = tank();
+        const int drop = addDrop(c.state, {0.98, 0.62}, {0, 0}), near = nearestNode(c.state.nodes.x, {0.9, 0.5});
+        std::vector<int> pinched{near};
+        if (both) pinched.push_back(drop);
+        Triangulator<2> triangulator;
+        remesh<2>({c.controls.remeshing, c.kinds(), c.topology(), 1e-3, {}, pinched}, triangulator, c.state);
+        for (int i = 0; i < c.state.nodes.size(); ++i) lost[both][c.state.nodes.id[i]] = c.state.nodes.lostVolume[i];
+    }
+    double most = 0;
+    for (const auto& [id, one] : lost[true]) most = std::max(most, one - lost[false][id]);
+    EXPECT_NEAR(most, volume, 1e-12);
 }
 
 TEST(Drops, whatIsGoneIsGone) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "functions/balance.hpp"
+#include "functions/controlVolume.hpp"
 #include "functions/periodicFlow.hpp"
 #include "functions/storedEnergy.hpp"
 #include "periodicCases.hpp"
@@ -95,6 +96,8 @@ TEST(HeldFlow, forceIsTheAcceleration) {
         EXPECT_EQ(report.step.drive[1], 0);
         EXPECT_NEAR(meanSpeed(c.state), std::min(2.5, 2 + 0.05 * (n + 1)), 1e-7);
         const double power = n < 10 ? 1000 * volume * 5 * meanSpeed(c.state) : 0;
+        const double push = n < 10 ? 1000 * 0.5 * 1 * 5 : 0;  // on a metre of the layer
+        EXPECT_NEAR(momentumRates<2>(c.problem, c.controls, c.state, {{0.25, 0}, {1, 0}, 1, 0.2}).gravity, push, 50);
         EXPECT_NEAR(energyPowers<2>(c.problem, c.controls, c.state).drive, power, 1e-4 * 1000 * volume * 5 * 2) << n;
     }
     EXPECT_NEAR(totalVolume<2>(c.state), volume, 1e-7);

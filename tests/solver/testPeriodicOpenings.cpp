@@ -103,6 +103,7 @@ TEST(PeriodicOpenings, refused) {
     EXPECT_NE(refusal("velocity 1; profile parabolic;", below).find("not the same at both periodic sides"),
               std::string::npos);
     EXPECT_EQ(refusal("velocity 1; profile expression; shape \"2 + cos(2*pi*x)\";", below), "");
+    EXPECT_EQ(refusal("velocity 1; profile expression; shape \"sin(pi*x)^2\";", below), "");  // 0 at both, nearly
     EXPECT_NE(refusal("velocity 1;", "below { points ((0 0) (1 0)); }").find("ends at a periodic side"),
               std::string::npos);
     EXPECT_NE(refusal("velocity 1;", "below { points ((-1 -0.5) (2 -0.5)); }").find("no water wets the inlet"),
