@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace pfem {
 
@@ -15,7 +16,12 @@ template <int Dim>
 class Dissector {
 public:
     Dissector(const MatrixGraph& graph, const Places<Dim>& place)
-        : graph_(graph), half_(place.size(), 0), mate_(place.size(), -1), reached_(place.size(), 0) {
+        : graph_(graph),
+          half_(place.size(), 0),
+          mate_(place.size(), -1),
+          reached_(place.size(), 0),
+          firstAcross_(place.size(), 0),
+          endAcross_(place.size(), 0) {
         site_.reserve(place.size());
         double farthest = 0;
         for (int i = 0; i < static_cast<int>(place.size()); ++i) {
@@ -61,36 +67,58 @@ private:
         return solver.eigenvectors().col(Dim - 1);
     }
 
-    /// visit(neighbour) in the other one of the two halves that are being parted; stops at the first `true`.
-    template <class Visit>
-    bool anyAcross(int unknown, const Visit& visit) const {
-        const int other = half_[unknown] ^ 1;
+    /// Neighbours of an unknown of the first half in the second; both face the cut.
+    std::span<const int> across(int unknown) const {
+        return {across_.data() + firstAcross_[unknown], across_.data() + endAcross_[unknown]};
+    }
+
+    /// Lists what lies across the cut from an unknown of the first half; false where nothing does.
+    bool listAcross(int unknown) {
+        firstAcross_[unknown] = static_cast<int>(across_.size());
         for (int s = graph_.start[unknown]; s < graph_.start[unknown + 1]; ++s)
-            if (half_[graph_.neighbour[s]] == other && visit(graph_.neighbour[s])) return true;
+            if (half_[graph_.neighbour[s]] == (half_[unknown] ^ 1)) across_.push_back(graph_.neighbour[s]);
+        endAcross_[unknown] = static_cast<int>(across_.size());
+        return firstAcross_[unknown] < endAcross_[unknown];
+    }
+
+    /// Whether an unknown of the second half meets the first one.
+    bool meetsFirst(int unknown) const {
+        for (int s = graph_.start[unknown]; s < graph_.start[unknown + 1]; ++s)
+            if (half_[graph_.neighbour[s]] == (half_[unknown] ^ 1)) return true;
         return false;
     }
 
-    /// A path of alternating pairs from a single unknown of the first half to one of the second: they find mates.
+    /// A path of alternating pairs from a single unknown of the first half to one of the second: they find mates. Who
+    /// is single is looked for first, for that ends the search. The border does not depend on which pairs are made.
     bool findMate(int unknown) {
-        return anyAcross(unknown, [&](int other) {
-            if (reached_[other] == search_) return false;
+        for (const int other : across(unknown))
+            if (mate_[other] < 0) {
+                pair(unknown, other);
+                return true;
+            }
+        for (const int other : across(unknown)) {
+            if (reached_[other] == search_) continue;
             reached_[other] = search_;
-            if (mate_[other] >= 0 && !findMate(mate_[other])) return false;
-            mate_[other] = unknown;
-            mate_[unknown] = other;
+            if (!findMate(mate_[other])) continue;
+            pair(unknown, other);
             return true;
-        });
+        }
+        return false;
+    }
+
+    void pair(int unknown, int other) {
+        mate_[other] = unknown;
+        mate_[unknown] = other;
     }
 
     /// Mark what alternating paths from an unknown of the first half reach.
     void reach(int unknown) {
         reached_[unknown] = search_;
-        anyAcross(unknown, [&](int other) {
-            if (reached_[other] == search_) return false;
+        for (const int other : across(unknown)) {
+            if (reached_[other] == search_) continue;
             reached_[other] = search_;
             if (reached_[mate_[other]] != search_) reach(mate_[other]);
-            return false;
-        });
+        }
     }
 
     /// Two halves of about equal number, parted along the cut's normal: where the second begins and how far along it
@@ -114,10 +142,11 @@ private:
     /// The fewest sites without which the halves do not meet (Koenig: as many as pairs can be made), ascending.
     void chooseBorder(int begin, int middle, int end, double cut) {
         facing_.clear();
+        across_.clear();
         for (int k = begin; k < end; ++k) {
             if (std::abs(site_[k].along - cut) > site_[k].reach) continue;
             const int unknown = site_[k].unknown;
-            if (!anyAcross(unknown, [](int) { return true; })) continue;
+            if (!(k < middle ? listAcross(unknown) : meetsFirst(unknown))) continue;
             mate_[unknown] = -1;
             facing_.push_back(k);
         }
@@ -172,11 +201,13 @@ private:
     const MatrixGraph& graph_;
     std::vector<Site> site_, moved_, sample_;
     // per unknown
-    std::vector<int> half_;     // a number of its own for each half, even for first ones; 0 in a border
-    std::vector<int> mate_;     // the unknown of the other half it is paired with, or -1
-    std::vector<int> reached_;  // the search that came here last
+    std::vector<int> half_;                     // a number of its own for each half, even for first ones; 0 in a border
+    std::vector<int> mate_;                     // the unknown of the other half it is paired with, or -1
+    std::vector<int> reached_;                  // the search that came here last
+    std::vector<int> firstAcross_, endAcross_;  // in across_, of those that face the cut
     int nHalves_ = 0, search_ = 0;
     std::vector<int> facing_;  // sites that meet the other half, then those of the border
+    std::vector<int> across_;
     Dissection result_;
 };
 
