@@ -293,19 +293,20 @@ Places<Dim> placesOfUnknowns(const Step<Dim>& step, const Points<Dim>& x, const 
     return place;
 }
 
-/// Fill grows with n^1.4 in three dimensions, a multigrid's levels with n.
+/// Fill grows with n^1.4 in three dimensions, a multigrid's levels with n; and it takes the factor that the momentum's
+/// equation has of the elastic velocities, which a direct solver computes once more, with the pressures between them.
 template <int Dim>
-bool byMultigrid(const ContinuityControls& controls, int nPressures) {
-    constexpr int large = 20000;
+bool byMultigrid(const ContinuityControls& controls, int nPressures, int nElastic) {
+    constexpr int many = 20000, manyElastic = 1000;
     if (controls.solver != "auto") return controls.solver == "multigrid";
-    return Dim == 3 && nPressures > large && hasMultigrid();
+    return Dim == 3 && (nPressures > many || nElastic > manyElastic) && hasMultigrid();
 }
 
 /// `elastic`: for the block of the solids.
 template <int Dim>
 std::unique_ptr<SymmetricSolver> makeSolver(const ContinuityControls& controls, const SymmetricMatrix& A,
                                             Places<Dim> place, const SaddleSizes& sizes, ElasticInverse elastic) {
-    if (byMultigrid<Dim>(controls, sizes.nPressures))
+    if (byMultigrid<Dim>(controls, sizes.nPressures, sizes.nElastic))
         return std::make_unique<MultigridSolver>(sizes, std::move(elastic), controls.solverTolerance,
                                                  rankRows<Dim>(controls.ranks, place, sizes.nPressures));
     const auto precision = controls.factorPrecision == "double" ? Precision::twofold : Precision::single;
@@ -331,7 +332,7 @@ ContinuitySystem<Dim>::ContinuitySystem(const Step<Dim>& step, const ContinuityC
     SymmetricMatrix A;
     A.n = u.n;
     const SymmetricMatrix diagonal =
-        byMultigrid<Dim>(controls, u.nPressure) ? diagonalOf(solid.matrix) : SymmetricMatrix();
+        byMultigrid<Dim>(controls, u.nPressure, u.nSolid) ? diagonalOf(solid.matrix) : SymmetricMatrix();
     const SymmetricMatrix& elastic = diagonal.n > 0 ? diagonal : solid.matrix;  // a multigrid asks for no more
     A.start = columnStarts<Dim>(step, u, solid.dofs, elastic, riders);
     A.row.resize(A.start[u.n]);

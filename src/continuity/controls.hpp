@@ -48,7 +48,7 @@ struct ContinuityControls {
         v("solver", solver, "-",
           "of the pressure matrix: a direct factor, multigrid (conjugate gradients with PETSc's smoothed aggregation), "
           "or "
-          "auto: multigrid for large cases in three dimensions",
+          "auto: multigrid in three dimensions for more than 20000 pressures or 1000 elastic velocities",
           oneOf({"auto", "direct", "multigrid"}));
         v("solverTolerance", solverTolerance, "-", "of multigrid: what is left of the residual", positive);
         v("stabilisation", stabilisation, "-",
