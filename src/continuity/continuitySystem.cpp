@@ -198,7 +198,8 @@ std::vector<double> laplacianWeights(const Parts<Dim>& parts) {
     return weights;
 }
 
-/// K_p without its face terms, and B: each pressure gathers from the cells around it.
+/// K_p without its face terms, and B: each pressure gathers from the cells around it. A cell that has turned over counts
+/// in K_p as one that stands, so that K_p is definite: the matrix shapes the iteration alone.
 template <int Dim>
 void addCells(const Parts<Dim>& parts, SymmetricMatrix& A) {
     const Topology<Dim>& topology = parts.step.topology;
@@ -218,11 +219,11 @@ void addCells(const Parts<Dim>& parts, SymmetricMatrix& A) {
                 const int e = around.cell[s], k = around.corner[s];
                 const ViscousFluid& fluid = parts.step.problem.fluid(cells.material[e]);
                 const auto& g = parts.phase.domains.element[e];
-                const double share = g.measure / (Dim + 1);
+                const double share = g.measure / (Dim + 1), size = std::abs(g.measure);
                 for (int l = 0; l <= Dim; ++l) {
                     const int at = column.at[cells.nodes[e][l]];
-                    column.K[at] += laplacian[e] * g.measure * g.gradN[k].dot(g.gradN[l]);
-                    if (l == k) column.K[at] += share / (fluid.kappa * dt);
+                    column.K[at] += laplacian[e] * size * g.gradN[k].dot(g.gradN[l]);
+                    if (l == k) column.K[at] += std::abs(share) / (fluid.kappa * dt);
                     column.B[at] += share * g.gradN[l];
                 }
             }
@@ -256,7 +257,7 @@ void addFreeSurface(const Parts<Dim>& parts, const Points<Dim>& x, SymmetricMatr
     for (const auto& face : topology.faces) {
         if (face.kind != FaceKind::freeSurface) continue;
         const double measure = faceArea<Dim>(x, face.nodes).norm();
-        const double cell = domains.element[face.cell].measure, twoOverH = 2 * measure / (Dim * cell);
+        const double cell = std::abs(domains.element[face.cell].measure), twoOverH = 2 * measure / (Dim * cell);
         const double tauN = surfaceStabilisation<Dim>(tau[face.cell], phase.mu[face.cell], cell, measure);
         for (int node : face.nodes)
             if (u.pressure[node] >= 0 && !step.isImage(node) && !projected[face.cell])
@@ -269,7 +270,7 @@ void addFreeSurface(const Parts<Dim>& parts, const Points<Dim>& x, SymmetricMatr
         double mass = 0;
         for (int s = topology.fluid.start[i]; s < topology.fluid.start[i + 1]; ++s) {
             const int e = topology.fluid.cell[s];
-            mass += problem.fluid(cells.material[e]).rho * domains.element[e].measure / (Dim + 1);
+            mass += problem.fluid(cells.material[e]).rho * std::abs(domains.element[e].measure) / (Dim + 1);
         }
         const Vec<Dim> inertia = matrixInertia<Dim>(mass, stiffness[i], step.midpoint);
         for (int c = 0; c < Dim; ++c) {
