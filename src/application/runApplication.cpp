@@ -25,9 +25,11 @@ std::string now(const char* format) {
     return {text, std::strftime(text, sizeof text, format, &local)};
 }
 
-/// Freed memory stays with the program, which asks for the same again in its next step.
+/// Freed memory stays with the program, which asks for the same again in its next step; of all threads in one place,
+/// or each would keep what the others could use.
 void keepMemory() {
 #ifdef __GLIBC__
+    mallopt(M_ARENA_MAX, 1);
     mallopt(M_MMAP_THRESHOLD, 1 << 30);
     mallopt(M_TRIM_THRESHOLD, 1 << 30);
     mallopt(M_TOP_PAD, 1 << 24);

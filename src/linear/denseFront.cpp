@@ -50,28 +50,29 @@ PFEM_INLINE void substitute(const Stored* L, int m, int width, const double* bel
 }
 
 /// U -= L21 D L21^T, four columns of L21 at a time.
-PFEM_INLINE void subtractByColumns(double* U, int r, const double* F, int m, int width) {
-    const double* const below = F + (m - r);
+template <class Real>
+PFEM_INLINE void subtractByColumns(Real* U, int r, const Real* F, int m, int width) {
+    const Real* const below = F + (m - r);
     int k = 0;
     for (; k + 4 <= width; k += 4) {
-        const double* const a = below + static_cast<long>(k) * m;
-        const double* const b = a + m;
-        const double* const c = b + m;
-        const double* const d = c + m;
-        const double da = F[static_cast<long>(k) * m + k], db = F[static_cast<long>(k + 1) * m + k + 1];
-        const double dc = F[static_cast<long>(k + 2) * m + k + 2], dd = F[static_cast<long>(k + 3) * m + k + 3];
+        const Real* const a = below + static_cast<long>(k) * m;
+        const Real* const b = a + m;
+        const Real* const c = b + m;
+        const Real* const d = c + m;
+        const Real da = F[static_cast<long>(k) * m + k], db = F[static_cast<long>(k + 1) * m + k + 1];
+        const Real dc = F[static_cast<long>(k + 2) * m + k + 2], dd = F[static_cast<long>(k + 3) * m + k + 3];
         for (int j = 0; j < r; ++j) {
-            double* const u = U + packedColumn(j, r);
-            const double ca = da * a[j], cb = db * b[j], cc = dc * c[j], cd = dd * d[j];
+            Real* const u = U + packedColumn(j, r);
+            const Real ca = da * a[j], cb = db * b[j], cc = dc * c[j], cd = dd * d[j];
             for (int i = j; i < r; ++i) u[i] -= (ca * a[i] + cb * b[i]) + (cc * c[i] + cd * d[i]);
         }
     }
     for (; k < width; ++k) {
-        const double* const a = below + static_cast<long>(k) * m;
-        const double da = F[static_cast<long>(k) * m + k];
+        const Real* const a = below + static_cast<long>(k) * m;
+        const Real da = F[static_cast<long>(k) * m + k];
         for (int j = 0; j < r; ++j) {
-            double* const u = U + packedColumn(j, r);
-            const double ca = da * a[j];
+            Real* const u = U + packedColumn(j, r);
+            const Real ca = da * a[j];
             for (int i = j; i < r; ++i) u[i] -= ca * a[i];
         }
     }
@@ -79,15 +80,16 @@ PFEM_INLINE void subtractByColumns(double* U, int r, const double* F, int m, int
 
 /// Columns begin ... end - 1 take what those before them in this range leave, one after the other; the column's own
 /// entries stay as they are (they are divided by the pivots at the end).
-PFEM_INLINE bool factorPanel(double* F, int m, int begin, int end, double* inverse) {
+template <class Real>
+PFEM_INLINE bool factorPanel(Real* F, int m, int begin, int end, Real* inverse) {
     for (int k = begin; k < end; ++k) {
-        const double* const column = F + static_cast<long>(k) * m;
-        const double pivot = column[k];
+        const Real* const column = F + static_cast<long>(k) * m;
+        const Real pivot = column[k];
         if (pivot == 0 || !std::isfinite(pivot)) return false;
         inverse[k] = 1 / pivot;
         for (int j = k + 1; j < end; ++j) {
-            const double c = column[j] * inverse[k];
-            double* const other = F + static_cast<long>(j) * m;
+            const Real c = column[j] * inverse[k];
+            Real* const other = F + static_cast<long>(j) * m;
             for (int i = j; i < m; ++i) other[i] -= c * column[i];
         }
     }
@@ -95,66 +97,76 @@ PFEM_INLINE bool factorPanel(double* F, int m, int begin, int end, double* inver
 }
 
 /// Columns from `end` on take what begin ... end - 1 leave.
-PFEM_INLINE void applyPanel(double* F, int m, int width, int begin, int end, const double* inverse) {
+template <class Real>
+PFEM_INLINE void applyPanel(Real* F, int m, int width, int begin, int end, const Real* inverse) {
     const int n = end - begin;
-    Tiles tiles(m - end, width - end, n);
+    Tiles<Real> tiles(m - end, width - end, n);
     for (int k = 0; k < n; ++k) {
-        const double* const column = F + static_cast<long>(begin + k) * m;
+        const Real* const column = F + static_cast<long>(begin + k) * m;
         tiles.setFactors(k, [&](int j) { return column[end + j] * inverse[begin + k]; });
     }
-    for (int i = 0; i < m - end; i += tileRows) {
-        const double* const strip = tiles.strip(F + static_cast<long>(begin) * m + end, m, i);
-        for (int j = 0; j < std::min(width - end, i + tileRows); j += tileColumns)
+    for (int i = 0; i < m - end; i += tileRows<Real>) {
+        const Real* const strip = tiles.strip(F + static_cast<long>(begin) * m + end, m, i);
+        for (int j = 0; j < std::min(width - end, i + tileRows<Real>); j += tileColumns)
             tiles.update(
                 i, j, [&](int column) { return F + static_cast<long>(end + column) * m + end; },
-                [&](Tile& tile) { subtractSingly(tile, strip, tiles.factors(j), n); });
+                [&](Tile<Real>& tile) { subtractSingly(tile, strip, tiles.factors(j), n); });
     }
 }
 
 /// U -= L21 D L21^T by tiles, the same bits as by columns.
-PFEM_INLINE void subtractByTiles(double* U, int r, const double* F, int m, int width) {
-    const double* const below = F + (m - r);
+template <class Real>
+PFEM_INLINE void subtractByTiles(Real* U, int r, const Real* F, int m, int width) {
+    const Real* const below = F + (m - r);
     for (int begin = 0; begin < width; begin += depth) {
         const int n = std::min(depth, width - begin);
-        Tiles tiles(r, r, n);
+        Tiles<Real> tiles(r, r, n);
         for (int k = 0; k < n; ++k) {
-            const double* const column = below + static_cast<long>(begin + k) * m;
-            const double d = F[static_cast<long>(begin + k) * m + begin + k];
+            const Real* const column = below + static_cast<long>(begin + k) * m;
+            const Real d = F[static_cast<long>(begin + k) * m + begin + k];
             tiles.setFactors(k, [&](int j) { return d * column[j]; });
         }
-        for (int i = 0; i < r; i += tileRows) {
-            const double* const strip = tiles.strip(below + static_cast<long>(begin) * m, m, i);
-            for (int j = 0; j < std::min(r, i + tileRows); j += tileColumns)
+        for (int i = 0; i < r; i += tileRows<Real>) {
+            const Real* const strip = tiles.strip(below + static_cast<long>(begin) * m, m, i);
+            for (int j = 0; j < std::min(r, i + tileRows<Real>); j += tileColumns)
                 tiles.update(
                     i, j, [&](int column) { return U + packedColumn(column, r); },
-                    [&](Tile& tile) { subtractByFours(tile, strip, tiles.factors(j), n); });
+                    [&](Tile<Real>& tile) { subtractByFours(tile, strip, tiles.factors(j), n); });
         }
     }
 }
 
-}  // namespace
-
-PFEM_WIDE bool factorColumns(double* F, int m, int width) {
-    std::vector<double> inverse(width);
+template <class Real>
+PFEM_INLINE bool factor(Real* F, int m, int width) {
+    std::vector<Real> inverse(width);
     for (int begin = 0, end = 0; end < width; begin = end) {
         end = width < 2 * panelWidth ? width : std::min(width, begin + panelWidth);
         if (!factorPanel(F, m, begin, end, inverse.data())) return false;
         if (end < width) applyPanel(F, m, width, begin, end, inverse.data());
     }
     for (int k = 0; k < width; ++k) {
-        double* const column = F + static_cast<long>(k) * m;
+        Real* const column = F + static_cast<long>(k) * m;
         for (int i = k + 1; i < m; ++i) column[i] *= inverse[k];
     }
     return true;
 }
 
-PFEM_WIDE void subtractProduct(double* U, int r, const double* F, int m, int width) {
+template <class Real>
+PFEM_INLINE void subtract(Real* U, int r, const Real* F, int m, int width) {
     constexpr long layingOut = 4800;  // fewer numbers of L21 are not worth it (same bits)
     if (static_cast<long>(r) * width >= layingOut)
         subtractByTiles(U, r, F, m, width);
     else
         subtractByColumns(U, r, F, m, width);
 }
+
+}  // namespace
+
+PFEM_WIDE bool factorColumns(float* F, int m, int width) { return factor(F, m, width); }
+PFEM_WIDE bool factorColumns(double* F, int m, int width) { return factor(F, m, width); }
+
+PFEM_WIDE void subtractProduct(float* U, int r, const float* F, int m, int width) { subtract(U, r, F, m, width); }
+PFEM_WIDE void subtractProduct(double* U, int r, const double* F, int m, int width) { subtract(U, r, F, m, width); }
 
 PFEM_WIDE void eliminateColumns(const float* L, int m, int width, double* own, double* below) {
     eliminate(L, m, width, own, below);

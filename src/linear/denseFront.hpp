@@ -7,6 +7,7 @@ namespace pfem {
 
 /// The first `width` columns of the m x m matrix F = [F11; F21], stored m x width, become D (diagonal) and the unit
 /// lower L. Returns false when a pivot is zero or not finite.
+bool factorColumns(float* F, int m, int width);
 bool factorColumns(double* F, int m, int width);
 
 /// Numbers in a lower triangle of r columns, packed one behind the other.
@@ -16,6 +17,7 @@ inline std::size_t packedSize(int r) { return static_cast<std::size_t>(r) * (r +
 inline std::size_t packedColumn(int j, int r) { return static_cast<std::size_t>(j) * r - packedSize(j); }
 
 /// U -= L21 D L21^T: U is a packed lower triangle of r columns, L21 the last r rows of the factored m x width block.
+void subtractProduct(float* U, int r, const float* F, int m, int width);
 void subtractProduct(double* U, int r, const double* F, int m, int width);
 
 /// own = L11^{-1} own, below = L21 own (zeros on entry) with a factored m x width block, stored in single or double

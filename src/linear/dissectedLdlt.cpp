@@ -95,12 +95,12 @@ std::vector<int> withInterior(std::vector<int> place, const std::vector<int>& in
 
 }  // namespace
 
-template <int Dim, class Stored>
-DissectedLdlt<Dim, Stored>::DissectedLdlt(Places<Dim> where, std::vector<int> part, int nParts)
+template <int Dim, class Stored, class Real>
+DissectedLdlt<Dim, Stored, Real>::DissectedLdlt(Places<Dim> where, std::vector<int> part, int nParts)
     : where_(std::move(where)), part_(std::move(part)), parts_(nParts) {}
 
-template <int Dim, class Stored>
-void DissectedLdlt<Dim, Stored>::analyse(const SymmetricMatrix& A) {
+template <int Dim, class Stored, class Real>
+void DissectedLdlt<Dim, Stored, Real>::analyse(const SymmetricMatrix& A) {
     const int nParts = static_cast<int>(parts_.size());
     shared_.clear();
     for (Part& each : parts_) each = {};
@@ -128,8 +128,8 @@ void DissectedLdlt<Dim, Stored>::analyse(const SymmetricMatrix& A) {
     });
 }
 
-template <int Dim, class Stored>
-void DissectedLdlt<Dim, Stored>::factor(const SymmetricMatrix& A) {
+template <int Dim, class Stored, class Real>
+void DissectedLdlt<Dim, Stored, Real>::factor(const SymmetricMatrix& A) {
     parallelTasks(static_cast<int>(parts_.size()), [&](int p) {
         Part& own = parts_[p];
         if (own.interior.empty()) return;
@@ -141,8 +141,8 @@ void DissectedLdlt<Dim, Stored>::factor(const SymmetricMatrix& A) {
 }
 
 /// What is left of the unknowns between the parts when the parts are eliminated.
-template <int Dim, class Stored>
-void DissectedLdlt<Dim, Stored>::factorBetween(const SymmetricMatrix& A) {
+template <int Dim, class Stored, class Real>
+void DissectedLdlt<Dim, Stored, Real>::factorBetween(const SymmetricMatrix& A) {
     const int n = static_cast<int>(shared_.size());
     std::vector<int> place(A.n, -1);
     for (int k = 0; k < n; ++k) place[shared_[k]] = k;
@@ -163,8 +163,8 @@ void DissectedLdlt<Dim, Stored>::factorBetween(const SymmetricMatrix& A) {
         throw StepFailure("matrix factorisation failed: a pivot vanishes or is not finite");
 }
 
-template <int Dim, class Stored>
-Eigen::VectorXd DissectedLdlt<Dim, Stored>::solve(const Eigen::VectorXd& b) const {
+template <int Dim, class Stored, class Real>
+Eigen::VectorXd DissectedLdlt<Dim, Stored, Real>::solve(const Eigen::VectorXd& b) const {
     const int nParts = static_cast<int>(parts_.size());
     std::vector<Eigen::VectorXd> own(nParts);
     parallelTasks(nParts, [&](int p) {
@@ -214,9 +214,10 @@ std::vector<int> slabs(const Places<Dim>& place, int nParts, int axis) {
     return part;
 }
 
-#define PFEM_INSTANTIATE(D)                  \
-    template class DissectedLdlt<D, float>;  \
-    template class DissectedLdlt<D, double>; \
+#define PFEM_INSTANTIATE(D)                          \
+    template class DissectedLdlt<D, float, float>;   \
+    template class DissectedLdlt<D, float, double>;  \
+    template class DissectedLdlt<D, double, double>; \
     template std::vector<int> slabs<D>(const Places<D>&, int, int);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)

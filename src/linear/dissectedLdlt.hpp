@@ -9,9 +9,9 @@
 namespace pfem {
 
 /// A x = b, where the unknowns that couple two parts form a small system of their own (Schur complement). The parts
-/// are factored and solved at the same time; the bits do not depend on the number of threads. The factor is kept as
-/// `Stored`, float or double.
-template <int Dim, class Stored>
+/// are factored and solved at the same time; the bits do not depend on the number of threads. The factor of the parts
+/// is computed as `Real` and kept as `Stored`, float or double.
+template <int Dim, class Stored, class Real = double>
 class DissectedLdlt : public SymmetricSolver {
 public:
     /// `where` each unknown is, which gives the order of elimination; `part`: a number 0 ... nParts-1 for each.
@@ -26,7 +26,7 @@ private:
         std::vector<int> interior;  // unknowns of A, in the order of the factor
         std::vector<Piece> pieces;  // that are eliminated together
         std::vector<int> shared;    // indices into shared_ of the unknowns that follow them
-        Multifrontal<Stored> factor;
+        Multifrontal<Stored, Real> factor;
     };
 
     void factorBetween(const SymmetricMatrix& A);

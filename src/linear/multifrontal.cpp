@@ -1,26 +1,29 @@
 #include "linear/multifrontal.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "base/error.hpp"
 #include "linear/denseFront.hpp"
+#include "linear/flushToZero.hpp"
 
 namespace pfem {
 
 namespace {
 
 /// What fronts leave to their parents, in the order of the fronts: packed lower triangles, the latest on top.
+template <class Real>
 class Remainders {
 public:
     int front() const { return fronts_.back(); }  // whose remainder is on top
-    const double* top(int r) const { return stack_.data() + top_ - packedSize(r); }
+    const Real* top(int r) const { return stack_.data() + top_ - packedSize(r); }
     void pop(int r) {
         top_ -= packedSize(r);
         fronts_.pop_back();
     }
 
     /// r rows of zeros above the top, not yet of the stack; what is below stays where it is until push().
-    double* fresh(int r) {
+    Real* fresh(int r) {
         fresh_ = top_;
         if (stack_.size() < top_ + packedSize(r)) stack_.resize(std::max(2 * stack_.size(), top_ + packedSize(r)));
         std::fill_n(stack_.data() + fresh_, packedSize(r), 0.0);
@@ -33,25 +36,27 @@ public:
     }
 
 private:
-    std::vector<double> stack_;
+    std::vector<Real> stack_;
     std::vector<int> fronts_;
     std::size_t top_ = 0, fresh_ = 0;
 };
 
 /// A front while it is put together: `width` columns of m rows, and the remainder of the others.
+template <class Real>
 struct OpenFront {
-    double* F;
-    double* U;
+    Real* F;
+    Real* U;
     int m, width;
 };
 
 /// Add what a child leaves to its parent. `rows`: the n of the child; `place`: of each row in the parent.
-void takeUp(const double* source, const int* rows, int n, const std::vector<int>& place, const OpenFront& parent) {
+template <class Real>
+void takeUp(const Real* source, const int* rows, int n, const std::vector<int>& place, const OpenFront<Real>& parent) {
     const auto& [F, U, m, width] = parent;
     const int r = m - width;
     for (int a = 0; a < n; ++a) {
         const int at = place[rows[a]];
-        double* const target =
+        Real* const target =
             at < width ? F + static_cast<std::size_t>(at) * m : U + packedColumn(at - width, r) - width;
         for (int b = a; b < n; ++b) target[place[rows[b]]] += *source++;
     }
@@ -59,8 +64,8 @@ void takeUp(const double* source, const int* rows, int n, const std::vector<int>
 
 }  // namespace
 
-template <class Stored>
-void Multifrontal<Stored>::factorize(const LowerColumns& A, const std::vector<Piece>& pieces) {
+template <class Stored, class Real>
+void Multifrontal<Stored, Real>::factorize(const LowerColumns& A, const std::vector<Piece>& pieces) {
     fronts_ = makeFronts(A, pieces);
     const int n = A.nColumns(), nLast = A.n - n;
     start_.assign(1, 0);
@@ -73,24 +78,27 @@ void Multifrontal<Stored>::factorize(const LowerColumns& A, const std::vector<Pi
     values_.resize(static_cast<Eigen::Index>(start_.back()));
     lastBlock_ = Eigen::MatrixXd::Zero(nLast, nLast);
 
-    Remainders remainders;
-    std::vector<double> block(largest);
-    double* const F = block.data();
+    std::optional<FlushToZero> flush;
+    if (sizeof(Real) == sizeof(float)) flush.emplace();
+    Remainders<Real> remainders;
+    std::vector<Real> block(largest);
+    Real* const F = block.data();
     std::vector<int> place(A.n);  // of a label in the present front
     for (std::size_t f = 0; f < fronts_.front.size(); ++f) {
         const Front& front = fronts_.front[f];
         const int* const rows = fronts_.rowsOf(front);
         const int width = front.width, r = front.nRows, m = width + r;
         std::fill_n(F, static_cast<std::size_t>(width) * m, 0.0);
-        double* const U = remainders.fresh(r);
+        Real* const U = remainders.fresh(r);
         for (int k = 0; k < width; ++k) place[front.first + k] = k;
         for (int k = 0; k < r; ++k) place[rows[k]] = width + k;
         for (int k = 0; k < width; ++k)
             for (int s = A.start[front.first + k]; s < A.start[front.first + k + 1]; ++s)
-                F[static_cast<std::size_t>(k) * m + place[A.row[s]]] += A.value[s];
+                F[static_cast<std::size_t>(k) * m + place[A.row[s]]] += static_cast<Real>(A.value[s]);
         for (int c = 0; c < front.nChildren; ++c) {
             const Front& child = fronts_.front[remainders.front()];
-            takeUp(remainders.top(child.nRows), fronts_.rowsOf(child), child.nRows, place, {F, U, m, width});
+            takeUp(remainders.top(child.nRows), fronts_.rowsOf(child), child.nRows, place,
+                   OpenFront<Real>{F, U, m, width});
             remainders.pop(child.nRows);
         }
         if (!factorColumns(F, m, width))
@@ -107,8 +115,8 @@ void Multifrontal<Stored>::factorize(const LowerColumns& A, const std::vector<Pi
     lastBlock_.triangularView<Eigen::StrictlyUpper>() = lastBlock_.transpose();
 }
 
-template <class Stored>
-void Multifrontal<Stored>::eliminate(Eigen::VectorXd& b) const {
+template <class Stored, class Real>
+void Multifrontal<Stored, Real>::eliminate(Eigen::VectorXd& b) const {
     double* const w = b.data();
     std::vector<double> below;
     for (std::size_t f = 0; f < fronts_.front.size(); ++f) {
@@ -121,8 +129,8 @@ void Multifrontal<Stored>::eliminate(Eigen::VectorXd& b) const {
     }
 }
 
-template <class Stored>
-void Multifrontal<Stored>::backSubstitute(Eigen::VectorXd& x) const {
+template <class Stored, class Real>
+void Multifrontal<Stored, Real>::backSubstitute(Eigen::VectorXd& x) const {
     double* const w = x.data();
     std::vector<double> below;
     for (std::size_t f = fronts_.front.size(); f-- > 0;) {
@@ -135,7 +143,8 @@ void Multifrontal<Stored>::backSubstitute(Eigen::VectorXd& x) const {
     }
 }
 
-template class Multifrontal<float>;
-template class Multifrontal<double>;
+template class Multifrontal<float, float>;
+template class Multifrontal<float, double>;
+template class Multifrontal<double, double>;
 
 }  // namespace pfem

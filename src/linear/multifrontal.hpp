@@ -9,10 +9,10 @@
 namespace pfem {
 
 /// A = L D L^T without pivoting, multifrontal: each front takes up what its children leave, eliminates its
-/// columns and leaves the rest. The last unknowns can stay: what remains of them is their Schur complement. Computed in
-/// double precision and kept as `Stored`: solutions wait for the memory; with float they are good to some 1e-7 of the
-/// condition number.
-template <class Stored>
+/// columns and leaves the rest. The last unknowns can stay: what remains of them is their Schur complement. Computed as
+/// `Real` and kept as `Stored`: solutions wait for the memory; with float they are good to some 1e-7 of the condition
+/// number, and some 1e-6 of it when it is the `Real`, too (entries below 1e-38 are then zero).
+template <class Stored, class Real = double>
 class Multifrontal {
 public:
     /// Factor the unknowns that have columns, piece by piece. Entries between the last ones are not looked at. Throws

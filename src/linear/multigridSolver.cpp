@@ -19,7 +19,9 @@ void MultigridSolver::factor(const SymmetricMatrix& A) {
         apply = [this](const Eigen::VectorXd& p) -> Eigen::VectorXd {
             return multiply(saddle_.K, p) + multiply(saddle_.B, inverseM(multiply(saddle_.Bt, p)));
         };
-    multigrid_.setUp(eliminateDiagonal(saddle_), std::move(apply));
+    SparseRows S = eliminateDiagonal(saddle_);
+    if (!apply) saddle_.K = {};  // nobody asks for it any more
+    multigrid_.setUp(std::move(S), std::move(apply));
 }
 
 Eigen::VectorXd MultigridSolver::inverseM(const Eigen::VectorXd& velocities) const {

@@ -38,19 +38,23 @@ std::unique_ptr<SymmetricSolver> dissectedSolver(const SymmetricMatrix& A, Place
     auto part = partsOfUnknowns<Dim>(A, place, parts);
     if (precision == Precision::twofold)
         return std::make_unique<DissectedLdlt<Dim, double>>(std::move(place), std::move(part), parts);
+    if (precision == Precision::singleThroughout)
+        return std::make_unique<DissectedLdlt<Dim, float, float>>(std::move(place), std::move(part), parts);
     return std::make_unique<DissectedLdlt<Dim, float>>(std::move(place), std::move(part), parts);
 }
 
 template <int Dim>
-std::unique_ptr<SymmetricSolver> elasticSolver(const SymmetricMatrix& A, Places<Dim> place) {
+std::unique_ptr<SymmetricSolver> elasticSolver(const SymmetricMatrix& A, Places<Dim> place, double stiffness) {
     constexpr int large = 3000;
+    constexpr double wellConditioned = 1e3;
     if (Dim == 2 && A.n < large) return std::make_unique<Ldlt>();
-    return dissectedSolver<Dim>(A, std::move(place), Dim == 2 ? Precision::twofold : Precision::single);
+    const auto inSpace = stiffness < wellConditioned ? Precision::singleThroughout : Precision::single;
+    return dissectedSolver<Dim>(A, std::move(place), Dim == 2 ? Precision::twofold : inSpace);
 }
 
 #define PFEM_INSTANTIATE(D)                                                                                     \
     template std::unique_ptr<SymmetricSolver> dissectedSolver<D>(const SymmetricMatrix&, Places<D>, Precision); \
-    template std::unique_ptr<SymmetricSolver> elasticSolver<D>(const SymmetricMatrix&, Places<D>);
+    template std::unique_ptr<SymmetricSolver> elasticSolver<D>(const SymmetricMatrix&, Places<D>, double);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

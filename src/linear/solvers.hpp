@@ -8,7 +8,8 @@
 
 namespace pfem {
 
-enum class Precision { single, twofold };  // in which a factor is kept; it is computed in double precision
+/// In which a factor is kept. It is computed in double precision, unless single is enough throughout.
+enum class Precision { singleThroughout, single, twofold };
 
 /// A factor by dense fronts, of as many parts as pay; `place`: where each unknown of A is.
 template <int Dim>
@@ -16,8 +17,9 @@ std::unique_ptr<SymmetricSolver> dissectedSolver(const SymmetricMatrix& A, Place
 
 /// The same for the velocities of solids: in double precision for large matrices of the plane, for small ones a
 /// simplicial factor (CHOLMOD); in single precision for tetrahedra, where solutions wait for the many entries of the
-/// factor. It shapes the iteration alone.
+/// factor, and throughout where their inertia is not small beside the stiffness. It shapes the iteration alone.
+/// `stiffness`: the largest ratio of an entry of the diagonal to its inertia.
 template <int Dim>
-std::unique_ptr<SymmetricSolver> elasticSolver(const SymmetricMatrix& A, Places<Dim> place);
+std::unique_ptr<SymmetricSolver> elasticSolver(const SymmetricMatrix& A, Places<Dim> place, double stiffness);
 
 }  // namespace pfem

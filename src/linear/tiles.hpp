@@ -17,24 +17,36 @@
 
 namespace pfem {
 
-constexpr int tileRows = 16;
+constexpr int lanesOfTile = 2;
 constexpr int tileColumns = 4;
 constexpr int depth = 128;      // columns that a strip of rows keeps in the first cache; a multiple of four
 constexpr int panelWidth = 16;  // columns that are factored one by one
 
-using Lane [[gnu::vector_size(64), gnu::aligned(8)]] = double;  // eight numbers, at any address
-constexpr int lanesOfTile = tileRows / 8;
+/// Numbers of one register of 64 bytes, at any address: eight of double precision, sixteen of single.
+template <class Real>
+struct LaneOf {
+    using Type [[gnu::vector_size(64), gnu::aligned(alignof(Real))]] = Real;
+    static constexpr int numbers = 64 / sizeof(Real);
+};
+template <class Real>
+using Lane = typename LaneOf<Real>::Type;
+
+template <class Real>
+constexpr int tileRows = lanesOfTile* LaneOf<Real>::numbers;
 
 /// tileRows x tileColumns numbers.
+template <class Real>
 struct Tile {
-    Lane u[tileColumns][lanesOfTile];
+    Lane<Real> u[tileColumns][lanesOfTile];
 };
 
 /// u -= a c for one column after the other. strip: n x tileRows; factors: n x tileColumns.
-PFEM_INLINE void subtractSingly(Tile& tile, const double* strip, const double* factors, int n) {
-    Tile t = tile;
-    for (int k = 0; k < n; ++k, strip += tileRows, factors += tileColumns) {
-        const Lane* const a = reinterpret_cast<const Lane*>(strip);
+template <class Real>
+PFEM_INLINE void subtractSingly(Tile<Real>& tile, const Real* strip, const Real* factors, int n) {
+    Tile<Real> t = tile;
+    for (int k = 0; k < n; ++k, strip += tileRows<Real>, factors += tileColumns) {
+        // NOLINTNEXTLINE(modernize-use-auto): auto would lose that the address is any
+        const Lane<Real>* const a = reinterpret_cast<const Lane<Real>*>(strip);
         for (int j = 0; j < tileColumns; ++j)
             for (int l = 0; l < lanesOfTile; ++l) t.u[j][l] -= factors[j] * a[l];
     }
@@ -42,13 +54,14 @@ PFEM_INLINE void subtractSingly(Tile& tile, const double* strip, const double* f
 }
 
 /// u -= (a0 c0 + a1 c1) + (a2 c2 + a3 c3) for four columns after four, the rest one by one.
-PFEM_INLINE void subtractByFours(Tile& tile, const double* strip, const double* factors, int n) {
-    Tile t = tile;
+template <class Real>
+PFEM_INLINE void subtractByFours(Tile<Real>& tile, const Real* strip, const Real* factors, int n) {
+    Tile<Real> t = tile;
     int k = 0;
-    for (; k + 4 <= n; k += 4, strip += 4 * tileRows, factors += 4 * tileColumns)
+    for (; k + 4 <= n; k += 4, strip += 4 * tileRows<Real>, factors += 4 * tileColumns)
         for (int l = 0; l < lanesOfTile; ++l) {
-            const Lane* const a = reinterpret_cast<const Lane*>(strip) + l;
-            const Lane a0 = a[0], a1 = a[lanesOfTile], a2 = a[2 * lanesOfTile], a3 = a[3 * lanesOfTile];
+            const Lane<Real>* const a = reinterpret_cast<const Lane<Real>*>(strip) + l;
+            const Lane<Real> a0 = a[0], a1 = a[lanesOfTile], a2 = a[2 * lanesOfTile], a3 = a[3 * lanesOfTile];
             for (int j = 0; j < tileColumns; ++j)
                 t.u[j][l] -= (factors[j] * a0 + factors[tileColumns + j] * a1) +
                              (factors[2 * tileColumns + j] * a2 + factors[3 * tileColumns + j] * a3);
@@ -58,8 +71,11 @@ PFEM_INLINE void subtractByFours(Tile& tile, const double* strip, const double* 
 }
 
 /// The columns j of a lower triangle's rows i >= j, n products deep, cut into tiles.
+template <class Real>
 class Tiles {
 public:
+    static constexpr int tileRows = pfem::tileRows<Real>;
+
     Tiles(int nRows, int nColumns, int n)
         : nRows_(nRows), nColumns_(nColumns), n_(n), strip_(static_cast<std::size_t>(n) * tileRows) {
         const int blocks = (nColumns + tileColumns - 1) / tileColumns;
@@ -72,16 +88,16 @@ public:
         for (int j = 0; j < nColumns_; ++j)
             factors_[(static_cast<std::size_t>(j / tileColumns) * n_ + k) * tileColumns + j % tileColumns] = value(j);
     }
-    const double* factors(int j) const { return factors_.data() + static_cast<std::size_t>(j) * n_; }
+    const Real* factors(int j) const { return factors_.data() + static_cast<std::size_t>(j) * n_; }
 
     /// Rows i ... i + tileRows - 1 of n columns, of m numbers each, side by side; zeros below the last row.
-    PFEM_INLINE const double* strip(const double* columns, int m, int i) {
+    PFEM_INLINE const Real* strip(const Real* columns, int m, int i) {
         const int rows = std::min(tileRows, nRows_ - i);
         for (int k = 0; k < n_; ++k) {
-            double* const to = strip_.data() + static_cast<std::size_t>(k) * tileRows;
-            const double* const from = columns + static_cast<long>(k) * m + i;
+            Real* const to = strip_.data() + static_cast<std::size_t>(k) * tileRows;
+            const Real* const from = columns + static_cast<long>(k) * m + i;
             if (rows == tileRows)
-                std::memcpy(to, from, sizeof(double) * tileRows);
+                std::memcpy(to, from, sizeof(Real) * tileRows);
             else
                 for (int l = 0; l < tileRows; ++l) to[l] = l < rows ? from[l] : 0.0;
         }
@@ -91,29 +107,29 @@ public:
     /// Take the tile at (i, j) out of the triangle, whose column c is at column(c)[row], change it and put it back.
     template <class Column, class Change>
     PFEM_INLINE void update(int i, int j, const Column& column, const Change& change) const {
-        Tile tile;
+        Tile<Real> tile;
         if (j + tileColumns - 1 <= i && j + tileColumns <= nColumns_ && i + tileRows <= nRows_) {
             for (int c = 0; c < tileColumns; ++c) std::memcpy(tile.u[c], column(j + c) + i, sizeof tile.u[c]);
             change(tile);
             for (int c = 0; c < tileColumns; ++c) std::memcpy(column(j + c) + i, tile.u[c], sizeof tile.u[c]);
             return;
         }
-        double part[tileColumns][tileRows] = {};
+        Real part[tileColumns][tileRows] = {};
         const auto forEntries = [&](const auto& visit) {
             for (int c = 0; c < std::min(tileColumns, nColumns_ - j); ++c)
                 for (int l = std::max(0, j + c - i); l < std::min(tileRows, nRows_ - i); ++l)
                     visit(part[c][l], column(j + c)[i + l]);
         };
-        forEntries([](double& own, double& other) { own = other; });
+        forEntries([](Real& own, Real& other) { own = other; });
         std::memcpy(tile.u, part, sizeof part);
         change(tile);
         std::memcpy(part, tile.u, sizeof part);
-        forEntries([](double& own, double& other) { other = own; });
+        forEntries([](Real& own, Real& other) { other = own; });
     }
 
 private:
     int nRows_, nColumns_, n_;
-    std::vector<double> strip_, factors_;
+    std::vector<Real> strip_, factors_;
 };
 
 }  // namespace pfem

@@ -87,6 +87,21 @@ Places<Dim> placesOfUnknowns(const SolidDofs<Dim>& dofs, const Points<Dim>& x) {
     return place;
 }
 
+/// The largest ratio of an entry of the solids' diagonal to the inertia in it.
+template <int Dim>
+double largestStiffness(const SolidBlock<Dim>& solid, const Points<Dim>& inertia) {
+    const SolidDofs<Dim>& dofs = solid.dofs;
+    double largest = 0;
+    for (std::size_t k = 0; k < dofs.node.size(); ++k) {
+        const int i = dofs.node[k];
+        if (dofs.ofBody(i)) continue;
+        for (int c = 0; c < dofs.count[i]; ++c)
+            largest = std::max(largest, solid.matrix.value[solid.matrix.start[dofs.first[i] + c]] /
+                                            inertia[i].dot(dofs.basis[k].col(c).cwiseAbs2()));
+    }
+    return largest;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -102,7 +117,8 @@ MomentumSystem<Dim>::MomentumSystem(const Step<Dim>& step, const MomentumControl
       inertia_(inertia.size(), Vec<Dim>::Zero()),
       diagonal_(inertia.size(), 0.0) {
     if (solid_.dofs.n > 0) {
-        auto solver = elasticSolver<Dim>(solid_.matrix, placesOfUnknowns<Dim>(solid_.dofs, step.old.x));
+        auto solver = elasticSolver<Dim>(solid_.matrix, placesOfUnknowns<Dim>(solid_.dofs, step.old.x),
+                                         largestStiffness<Dim>(solid_, inertia));
         solver->analyse(solid_.matrix);
         solver->factor(solid_.matrix);
         solid_.factor = std::move(solver);

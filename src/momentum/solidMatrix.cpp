@@ -47,29 +47,50 @@ Stiffness<Dim> stiffness(const Solids<Dim>& solids, const SmoothingDomains<Dim>&
     return result;
 }
 
-/// Add the columns of one node, the b-th of the row, of (Omega G)^T C (Omega G) / Omega.
+/// The columns of one node after another.
 template <int Dim>
-void addColumns(SymmetricMatrix& A, const SolidDofs<Dim>& dofs, const Moduli& moduli, const GradientRow<Dim>& row,
-                std::size_t b) {
-    const double lambda = moduli.lambda / row.volume;
-    const double mu = moduli.mu / row.volume;
-    const int nb = row.nodes[b], lb = dofs.local[nb];
-    const Vec<Dim>& gb = row.weighted[b];
-    for (std::size_t a = 0; a < row.nodes.size(); ++a) {
-        const int na = row.nodes[a], la = dofs.local[na];
-        if (la < 0 || dofs.first[na] < dofs.first[nb]) continue;
-        const bool same = dofs.first[na] == dofs.first[nb];
-        const Vec<Dim>& ga = row.weighted[a];
-        const Tensor<Dim> K =
-            lambda * ga * gb.transpose() + mu * gb * ga.transpose() + mu * ga.dot(gb) * Tensor<Dim>::Identity();
-        const int below = same ? 0 : A.slot(dofs.first[na], dofs.first[nb]) - A.start[dofs.first[nb]];
-        for (int cb = 0; cb < dofs.count[nb]; ++cb) {  // the rows of one node follow each other
-            const int first = same ? cb : 0, slot = A.start[dofs.first[nb] + cb] + (same ? 0 : below - cb);
-            for (int ca = first; ca < dofs.count[na]; ++ca)
-                A.value[slot + ca - first] += dofs.basis[la].col(ca).dot(K * dofs.basis[lb].col(cb));
+class Columns {
+public:
+    Columns(const SolidDofs<Dim>& dofs, SymmetricMatrix& A) : dofs_(dofs), A_(A), below_(A.n, 0) {}
+
+    /// Those of this node come next.
+    void begin(int node) {
+        node_ = node;
+        const int column = dofs_.first[node];
+        for (int s = A_.start[column]; s < A_.start[column + 1]; ++s) below_[A_.row[s]] = s - A_.start[column];
+    }
+
+    /// Add theirs of (Omega G)^T C (Omega G) / Omega.
+    void add(const Moduli& moduli, const GradientRow<Dim>& row) {
+        const double lambda = moduli.lambda / row.volume;
+        const double mu = moduli.mu / row.volume;
+        const std::size_t b = std::find(row.nodes.begin(), row.nodes.end(), node_) - row.nodes.begin();
+        const Vec<Dim>& gb = row.weighted[b];
+        const int nb = node_, column = dofs_.first[nb], lb = dofs_.local[nb];
+        for (std::size_t a = 0; a < row.nodes.size(); ++a) {
+            const int na = row.nodes[a], la = dofs_.local[na];
+            if (la < 0 || dofs_.first[na] < column) continue;
+            const bool same = dofs_.first[na] == column;
+            const Vec<Dim>& ga = row.weighted[a];
+            const Tensor<Dim> K =
+                lambda * ga * gb.transpose() + mu * gb * ga.transpose() + mu * ga.dot(gb) * Tensor<Dim>::Identity();
+            const int below = same ? 0 : below_[dofs_.first[na]];
+            const bool free = dofs_.isFree[la] && dofs_.isFree[lb];
+            for (int cb = 0; cb < dofs_.count[nb]; ++cb) {  // the rows of one node follow each other
+                const int first = same ? cb : 0;
+                double* const value = A_.value.data() + A_.start[column + cb] + (same ? -first : below - cb);
+                for (int ca = first; ca < dofs_.count[na]; ++ca)
+                    value[ca] += free ? K(ca, cb) : dofs_.basis[la].col(ca).dot(K * dofs_.basis[lb].col(cb));
+            }
         }
     }
-}
+
+private:
+    const SolidDofs<Dim>& dofs_;
+    SymmetricMatrix& A_;
+    std::vector<int> below_;  // per unknown: how far below the diagonal of the node's first column its row is
+    int node_ = -1;
+};
 
 /// Add them all, each node's columns by one thread. All entries take their terms in the order of the stress points.
 template <int Dim>
@@ -77,22 +98,25 @@ void addStiffness(const std::vector<Stiffness<Dim>>& terms, const SolidDofs<Dim>
     constexpr int block = 32;
     const int n = static_cast<int>(dofs.node.size());
     parallelTasks((n + block - 1) / block, [&](int k) {
+        Columns<Dim> columns(dofs, A);
         for (int l = k * block; l < std::min(n, (k + 1) * block); ++l) {
             const int node = dofs.node[l];
             if (dofs.ofBody(node)) continue;
+            columns.begin(node);
             for (const auto& [rows, moduli] : terms)
-                for (const int p : rows.pointsOf(node)) {
-                    const auto& nodes = rows[p].nodes;
-                    const std::size_t b = std::find(nodes.begin(), nodes.end(), node) - nodes.begin();
-                    if (moduli[p]) addColumns<Dim>(A, dofs, *moduli[p], rows[p], b);
-                }
+                for (const int p : rows.pointsOf(node))
+                    if (moduli[p]) columns.add(*moduli[p], rows[p]);
         }
     });
     if (dofs.bodies.empty()) return;
+    Columns<Dim> columns(dofs, A);
     for (const auto& [rows, moduli] : terms)  // a body's columns are those of many nodes
         for (std::size_t p = 0; p < moduli.size(); ++p)
             for (std::size_t b = 0; moduli[p] && b < rows[p].nodes.size(); ++b)
-                if (dofs.ofBody(rows[p].nodes[b])) addColumns<Dim>(A, dofs, *moduli[p], rows[p], b);
+                if (dofs.ofBody(rows[p].nodes[b])) {
+                    columns.begin(rows[p].nodes[b]);
+                    columns.add(*moduli[p], rows[p]);
+                }
 }
 
 /// The unknowns of a rigid body.
@@ -106,6 +130,7 @@ void addBody(const RigidBody<Dim>& body, SolidDofs<Dim>& dofs) {
         dofs.bodies.back().local.push_back(dofs.local[i]);
         dofs.node.push_back(i);
         dofs.basis.push_back(leverRows<Dim>(body.pose.lever(body.arm[k])) * body.free);
+        dofs.isFree.push_back(0);
         dofs.first[i] = dofs.n;
         dofs.count[i] = body.nFree();
     }
@@ -144,6 +169,7 @@ SolidDofs<Dim> solidDofs(const NodeToCells& solid, const NodeConstraints<Dim>& c
         dofs.local[i] = static_cast<int>(dofs.node.size());
         dofs.node.push_back(i);
         dofs.basis.push_back(freedom.basis.leftCols(freedom.count));
+        dofs.isFree.push_back(freedom.count == Dim && freedom.basis.isIdentity(0));
         dofs.first[i] = dofs.n;
         dofs.count[i] = freedom.count;
         dofs.n += dofs.count[i];

@@ -21,12 +21,13 @@ struct SolidDofs {
         std::vector<int> local;  // of its nodes: indices into `node`
     };
 
-    std::vector<int> node;          // solid nodes with unknowns
-    std::vector<int> first;         // per mesh node: its first unknown or -1
-    std::vector<int> count;         // per mesh node
-    std::vector<Directions> basis;  // per entry of `node`: the velocity of each of its unknowns
-    std::vector<int> local;         // per mesh node: index into `node` or -1
-    std::vector<Body> bodies;       // those with unknowns
+    std::vector<int> node;              // solid nodes with unknowns
+    std::vector<int> first;             // per mesh node: its first unknown or -1
+    std::vector<int> count;             // per mesh node
+    std::vector<Directions> basis;      // per entry of `node`: the velocity of each of its unknowns
+    std::vector<unsigned char> isFree;  // per entry of `node`: are they those along the axes?
+    std::vector<int> local;             // per mesh node: index into `node` or -1
+    std::vector<Body> bodies;           // those with unknowns
     int n = 0;
 
     bool ofBody(int i) const { return local[i] >= 0 && !bodies.empty() && first[i] >= bodies[0].first; }

@@ -4,9 +4,11 @@
 #include <cmath>
 
 #include "base/parallel.hpp"
+#include "mesh/heldPoints.hpp"
 #include "mesh/onFace.hpp"
 #include "mesh/simplex.hpp"
 #include "mesh/wallUnder.hpp"
+#include "remesh/heirs.hpp"
 
 namespace pfem {
 
@@ -94,19 +96,17 @@ template <int Dim>
 class Selector {
 public:
     Selector(const RemeshingControls& controls, const Triangulation<Dim>& triangulation,
-             const CandidateNodes<Dim>& nodes, const MovedMesh<Dim>& moved, const MovedPlaces<Dim>& places)
+             const CandidateNodes<Dim>& nodes, const MovedMesh<Dim>& moved)
         : controls_(controls),
           t_(triangulation),
           nodes_(nodes),
           moved_(moved),
-          places_(places),
           inside_(t_.cells.size(), 0),
           accepted_(t_.cells.size(), 0),
           gap_(t_.cells.size(), 0) {}
 
     Connectivity<Dim> select() {
-#pragma omp parallel for schedule(static) if (static_cast <int>(t_.cells.size()) > shortLoop)
-        for (int e = 0; e < static_cast<int>(t_.cells.size()); ++e) judge(e);
+        judge();
         countCells();
         Connectivity<Dim>& result = result_;
         peel();
@@ -122,19 +122,34 @@ public:
     }
 
 private:
-    void judge(int e) {
-        const auto& s = t_.cells[e];
-        const bool allHeld = isOnSolids(s);
-        if (isFlatOnWall(s) || (allHeld && isSliver(s))) return;
-        const Vec<Dim> centre = simplexCentroid<Dim>(nodes_.x, s);
-        inside_[e] = wasFluid(s, centre);
-        if (inside_[e]) {
-            accepted_[e] = 1;
-            return;
-        }
-        if (allHeld || isBehindWall(s, centre) || places_.solid.contains(centre)) return;
-        accepted_[e] = isContact<Dim>(controls_, nodes_, s);
-        gap_[e] = !accepted_[e] && isGap(s);
+    /// Most cells of the fluid are found among the old cells of their own nodes; of the others all centroids are looked
+    /// for at once.
+    void judge() {
+        const int n = static_cast<int>(t_.cells.size());
+        std::vector<unsigned char> isOpen(n);
+        parallelFor(n, [&](int e) {
+            const auto& s = t_.cells[e];
+            if (isFlatOnWall(s) || (isOnSolids(s) && isSliver(s))) return;
+            accepted_[e] = inside_[e] = wasFluidAround(s, simplexCentroid<Dim>(nodes_.x, s));
+            isOpen[e] = !inside_[e];
+        });
+        const auto forOpen = [&](const std::vector<Simplex<Dim>>& old, const auto& decide) {  // decide(e, in old mesh)
+            const auto open = chosen(isOpen);
+            Points<Dim> centres;
+            for (const int e : open) centres.push_back(simplexCentroid<Dim>(nodes_.x, t_.cells[e]));
+            const auto held = heldPoints<Dim>(moved_.x, old, centres);
+            parallelFor(static_cast<int>(open.size()), [&](int k) { decide(open[k], held[k] != 0); });
+        };
+        forOpen(moved_.fluid, [&](int e, bool wasFluid) {
+            const auto& s = t_.cells[e];
+            accepted_[e] = inside_[e] = wasFluid;
+            isOpen[e] = !wasFluid && !isOnSolids(s) && !isBehindWall(s, simplexCentroid<Dim>(nodes_.x, s));
+        });
+        forOpen(moved_.solid, [&](int e, bool wasSolid) {
+            const auto& s = t_.cells[e];
+            accepted_[e] = !wasSolid && isContact<Dim>(controls_, nodes_, s);
+            gap_[e] = !wasSolid && !accepted_[e] && isGap(s);
+        });
     }
 
     /// Where fluid, two nodes in cells or drops, may soon meet fluid or a solid.
@@ -159,8 +174,8 @@ private:
         return -1;
     }
 
-    /// Does the moved old mesh hold the point? Mostly in the same cell, else in one of the nodes' own.
-    bool wasFluid(const Simplex<Dim>& s, const Vec<Dim>& centre) const {
+    /// Do the old cells of its nodes hold the point? Mostly the same cell does.
+    bool wasFluidAround(const Simplex<Dim>& s, const Vec<Dim>& centre) const {
         const NodeToCells& around = moved_.topology.fluid;
         const int same = oldCell(s);
         if (same >= 0 && holds<Dim>(moved_.x, moved_.fluid[same], centre)) return true;
@@ -170,7 +185,7 @@ private:
             for (int slot = around.start[old]; slot < around.start[old + 1]; ++slot)
                 if (holds<Dim>(moved_.x, moved_.fluid[around.cell[slot]], centre)) return true;
         }
-        return places_.fluid.contains(centre);
+        return false;
     }
 
     bool isOnWall(int node) const { return isSupported(nodes_.wall[node]); }
@@ -315,7 +330,6 @@ private:
     const Triangulation<Dim>& t_;
     const CandidateNodes<Dim>& nodes_;
     const MovedMesh<Dim>& moved_;
-    const MovedPlaces<Dim>& places_;
     std::vector<unsigned char> inside_;
     std::vector<unsigned char> accepted_;
     std::vector<unsigned char> gap_;
@@ -335,15 +349,14 @@ std::vector<Simplex<Dim>> cellsOf(const std::vector<CellChange<Dim>>& changes, V
 
 template <int Dim>
 Connectivity<Dim> selectFluid(const RemeshingControls& controls, const Triangulation<Dim>& triangulation,
-                              const CandidateNodes<Dim>& nodes, const MovedMesh<Dim>& moved,
-                              const MovedPlaces<Dim>& places) {
-    return Selector<Dim>(controls, triangulation, nodes, moved, places).select();
+                              const CandidateNodes<Dim>& nodes, const MovedMesh<Dim>& moved) {
+    return Selector<Dim>(controls, triangulation, nodes, moved).select();
 }
 
 #define PFEM_INSTANTIATE(D)                                                                      \
     template std::vector<Simplex<D>> cellsOf<D>(const std::vector<CellChange<D>>&, VolumeCause); \
     template Connectivity<D> selectFluid<D>(const RemeshingControls&, const Triangulation<D>&,   \
-                                            const CandidateNodes<D>&, const MovedMesh<D>&, const MovedPlaces<D>&);
+                                            const CandidateNodes<D>&, const MovedMesh<D>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

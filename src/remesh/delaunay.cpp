@@ -129,7 +129,7 @@ void Triangulator<2>::follow(const Points<2>& points, const std::vector<Id>& ids
 }
 
 template <>
-Triangulation<2> Triangulator<2>::triangulation(int nPoints) const {
+Triangulation<2> Triangulator<2>::triangulation(int nPoints) {
     Cdt& cdt = kept_->cdt;
     if (cdt.dimension() < 2) return {};
     const auto cells = sortedCells(cdt, nPoints);

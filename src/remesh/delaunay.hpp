@@ -39,8 +39,8 @@ public:
     void follow(const Points<Dim>& points, const std::vector<Id>& ids, const std::vector<int>& active,
                 const std::vector<Face<Dim>>& fixed, const std::vector<Face<Dim>>& wished);
 
-    /// Of the nPoints points followed last.
-    Triangulation<Dim> triangulation(int nPoints) const;
+    /// Of the nPoints points followed last; to be asked for once.
+    Triangulation<Dim> triangulation(int nPoints);
 
 private:
     struct Kept;

@@ -3,6 +3,8 @@
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
+#include <omp.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -20,6 +22,8 @@ using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<int, Kernel>;
 using CellBase =
     CGAL::Triangulation_cell_base_with_info_3<int, Kernel, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
 using Delaunay = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
+
+constexpr int leastPart = 2000;  // points; of smaller parts too much is halo
 
 /// A tetrahedron with its nodes in an even order, the smallest first, then the next smallest.
 struct Turned {
@@ -107,12 +111,19 @@ Triangulator<3>& Triangulator<3>::operator=(Triangulator&&) noexcept = default;
 template <>
 void Triangulator<3>::follow(const Points<3>& points, const std::vector<Id>&, const std::vector<int>& active,
                              const std::vector<Face<3>>&, const std::vector<Face<3>>&) {
-    kept_->last = ranks_.isAlone() ? spaceDelaunay(points, active) : sharedDelaunay(points, active, ranks_, halo_);
+    kept_->last = {};
+    if (!ranks_.isAlone()) {
+        kept_->last = sharedDelaunay(points, active, ranks_, halo_);
+        return;
+    }
+    const int nThreads = halo_ > 0 ? std::min(omp_get_max_threads(), static_cast<int>(active.size() / leastPart)) : 1;
+    auto byThreads = nThreads > 1 ? threadedDelaunay(points, active, nThreads, halo_) : std::nullopt;
+    kept_->last = byThreads ? *std::move(byThreads) : spaceDelaunay(points, active);
 }
 
 template <>
-Triangulation<3> Triangulator<3>::triangulation(int) const {
-    return kept_->last;
+Triangulation<3> Triangulator<3>::triangulation(int) {
+    return std::move(kept_->last);
 }
 
 }  // namespace pfem

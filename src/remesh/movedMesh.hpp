@@ -1,7 +1,6 @@
 #pragma once
 // The fluid mesh of the step before, moved with its nodes: it says what is fluid.
 
-#include "mesh/locator.hpp"
 #include "mesh/topology.hpp"
 #include "state/volume.hpp"
 

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "base/parallel.hpp"
-#include "remesh/delaunay.hpp"
 #include "remesh/spaceDelaunay.hpp"
 
 namespace pfem {
@@ -43,8 +42,15 @@ ProvenCells provenCells(const Points<3>& x, const std::vector<int>& active, cons
         const auto& cell = triangulation.cells[e];
         isOurs[e] = parts.owner[cell[0]] == part && sphereIsWithin(x, cell, seen);
     });
-    for (int e = 0; e < n; ++e)
-        if (isOurs[e]) result.cells.push_back(triangulation.cells[e]);
+    std::vector<int> number(n, -1);  // among ours
+    for (int e = 0; e < n; ++e) {
+        if (!isOurs[e]) continue;
+        number[e] = static_cast<int>(result.cells.size());
+        result.cells.push_back(triangulation.cells[e]);
+        result.neighbours.push_back(triangulation.neighbours[e]);
+    }
+    for (auto& neighbours : result.neighbours)
+        for (int& other : neighbours) other = other < 0 ? -1 : number[other];
     return result;
 }
 

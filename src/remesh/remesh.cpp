@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <optional>
 
 #include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
@@ -254,20 +253,19 @@ RemeshReport<Dim> remesh(RemeshTask<Dim> task, Triangulator<Dim>& triangulator, 
     const auto newPlaces = throughSides<Dim>(task.sides, moved, newIndex, state);
 
     CandidateNodes<Dim> candidates;
-    std::optional<MovedPlaces<Dim>> places;
-    parallelInvoke(
-        state.nodes.size(),
-        [&] {
-            triangulator.follow(state.nodes.x, state.nodes.id, activeNodes<Dim>(state, kinds, moved.topology, newIndex),
-                                fixedFaces<Dim>(state, kinds, moved.topology, newIndex),
-                                surfaceFaces<Dim>(controls, plan, task.sides, newPlaces));
-        },
-        [&] {
-            candidates = candidateNodes<Dim>(state, moved, newPlaces, task.dt);
-            places.emplace(moved);
-        });
-    auto selected =
-        selectFluid<Dim>(controls, triangulator.triangulation(state.nodes.size()), candidates, moved, *places);
+    const auto triangulate = [&] {
+        triangulator.follow(state.nodes.x, state.nodes.id, activeNodes<Dim>(state, kinds, moved.topology, newIndex),
+                            fixedFaces<Dim>(state, kinds, moved.topology, newIndex),
+                            surfaceFaces<Dim>(controls, plan, task.sides, newPlaces));
+    };
+    const auto ask = [&] { candidates = candidateNodes<Dim>(state, moved, newPlaces, task.dt); };
+    if (Dim == 2) {
+        parallelInvoke(state.nodes.size(), triangulate, ask);
+    } else {  // by threads of its own
+        triangulate();
+        ask();
+    }
+    auto selected = selectFluid<Dim>(controls, triangulator.triangulation(state.nodes.size()), candidates, moved);
     if (task.sides) keepOwn<Dim>(state, selected);
     state.mesh.fluid.nodes = selected.fluid;
     state.mesh.fluid.material.assign(selected.fluid.size(), material);

@@ -1,6 +1,7 @@
 #include "remesh/sharedDelaunay.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
@@ -30,9 +31,9 @@ struct OpenFace {
 /// What is missing beside known cells.
 class Completion {
 public:
-    Completion(const Points<3>& x, const std::vector<int>& active, const std::vector<Simplex<3>>& known)
-        : known_(known), neighbours_(cellNeighbours(known, static_cast<int>(x.size()))) {
+    Completion(const Points<3>& x, const std::vector<int>& active, Triangulation<3> known) : known_(std::move(known)) {
         findOpenFaces();
+        joinParts();
         rest_ = spaceDelaunay(x, openPoints(active, x.size()));
         beyond_.assign(rest_.cells.size(), {-1, -1, -1, -1});
         missing_.assign(rest_.cells.size(), 0);
@@ -66,25 +67,27 @@ public:
 
     /// Known and missing cells in one order.
     Triangulation<3> merged() const {
-        std::vector<int> ofKnown(known_.size()), ofRest(rest_.cells.size(), -1);
+        const auto& [cells, neighbours] = known_;
+        std::vector<int> ofKnown(cells.size()), ofRest(rest_.cells.size(), -1);
         Triangulation<3> result;
+        result.cells.reserve(cells.size() + rest_.cells.size());
         std::size_t e = 0;
         const auto takeKnown = [&] {
             ofKnown[e] = static_cast<int>(result.cells.size());
-            result.cells.push_back(known_[e++]);
+            result.cells.push_back(cells[e++]);
         };
         for (std::size_t r = 0; r < rest_.cells.size(); ++r) {
             if (!missing_[r]) continue;
-            while (e < known_.size() && known_[e] < rest_.cells[r]) takeKnown();
+            while (e < cells.size() && cells[e] < rest_.cells[r]) takeKnown();
             ofRest[r] = static_cast<int>(result.cells.size());
             result.cells.push_back(rest_.cells[r]);
         }
-        while (e < known_.size()) takeKnown();
+        while (e < cells.size()) takeKnown();
 
         result.neighbours.assign(result.cells.size(), {-1, -1, -1, -1});
-        parallelFor(static_cast<int>(known_.size()), [&](int own) {
+        parallelFor(static_cast<int>(cells.size()), [&](int own) {
             for (int k = 0; k < 4; ++k)
-                if (neighbours_[own][k] >= 0) result.neighbours[ofKnown[own]][k] = ofKnown[neighbours_[own][k]];
+                if (neighbours[own][k] >= 0) result.neighbours[ofKnown[own]][k] = ofKnown[neighbours[own][k]];
         });
         for (std::size_t r = 0; r < rest_.cells.size(); ++r)
             for (int k = 0; missing_[r] && k < 4; ++k) {
@@ -102,17 +105,26 @@ public:
 
 private:
     void findOpenFaces() {
-        for (int e = 0; e < static_cast<int>(known_.size()); ++e)
+        for (int e = 0; e < static_cast<int>(known_.cells.size()); ++e)
             for (int k = 0; k < 4; ++k)
-                if (neighbours_[e][k] < 0) open_.push_back({outwardFace(known_[e], k), e, k});
+                if (known_.neighbours[e][k] < 0) open_.push_back({outwardFace(known_.cells[e], k), e, k});
         std::sort(open_.begin(), open_.end(), [](const OpenFace& a, const OpenFace& b) { return a.face < b.face; });
+    }
+
+    /// Known cells on both sides of a face, of different parts, are neighbours.
+    void joinParts() {
+        for (const OpenFace& open : open_) {
+            const int other = openFace(turnedRound(open.face));
+            if (other >= 0) known_.neighbours[open.cell][open.opposite] = open_[other].cell;
+        }
+        std::erase_if(open_, [&](const OpenFace& open) { return known_.neighbours[open.cell][open.opposite] >= 0; });
     }
 
     /// Those of open faces, and those without a known cell: a star has no other way from known to missing cells than
     /// through an open face.
     std::vector<int> openPoints(const std::vector<int>& active, std::size_t nPoints) const {
         std::vector<unsigned char> isOpen(nPoints, 1);
-        for (const auto& cell : known_)
+        for (const auto& cell : known_.cells)
             for (const int i : cell) isOpen[i] = 0;
         for (const auto& open : open_)
             for (const int i : open.face) isOpen[i] = 1;
@@ -129,8 +141,7 @@ private:
         return at != open_.end() && at->face == face ? static_cast<int>(at - open_.begin()) : -1;
     }
 
-    const std::vector<Simplex<3>>& known_;
-    std::vector<std::array<int, 4>> neighbours_;  // of the known cells among themselves
+    Triangulation<3> known_;
     std::vector<OpenFace> open_;
     Triangulation<3> rest_;                   // of the open points
     std::vector<std::array<int, 4>> beyond_;  // per face of the rest: the open face whose other side it is, or -1
@@ -145,11 +156,33 @@ void mergeParts(std::vector<Value>& all, const std::vector<std::size_t>& ends) {
         std::inplace_merge(all.begin(), at(ends[part - 1]), at(ends[part]));
 }
 
+/// Cells of all parts, each of which has all with the first nodes that are its own.
+Triangulation<3> inOneOrder(const std::vector<ProvenCells>& parts, std::size_t nPoints) {
+    std::vector<int> start(nPoints + 1, 0);  // of the cells with each first node
+    for (const auto& part : parts)
+        for (const auto& cell : part.cells) ++start[cell[0] + 1];
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    Triangulation<3> all;
+    all.cells.resize(start[nPoints]);
+    all.neighbours.resize(start[nPoints]);
+    parallelTasks(static_cast<int>(parts.size()), [&](int p) {
+        const auto& [cells, neighbours] = static_cast<const Triangulation<3>&>(parts[p]);
+        std::vector<int> number(cells.size());
+        for (std::size_t e = 0; e < cells.size(); ++e)
+            number[e] = e > 0 && cells[e - 1][0] == cells[e][0] ? number[e - 1] + 1 : start[cells[e][0]];
+        for (std::size_t e = 0; e < cells.size(); ++e) {
+            all.cells[number[e]] = cells[e];
+            for (int k = 0; k < 4; ++k)
+                all.neighbours[number[e]][k] = neighbours[e][k] < 0 ? -1 : number[neighbours[e][k]];
+        }
+    });
+    return all;
+}
+
 }  // namespace
 
-std::optional<Triangulation<3>> completed(const Points<3>& x, const std::vector<int>& active,
-                                          const std::vector<Simplex<3>>& known) {
-    Completion completion(x, active, known);
+std::optional<Triangulation<3>> completed(const Points<3>& x, const std::vector<int>& active, Triangulation<3> known) {
+    Completion completion(x, active, std::move(known));
     if (!completion.findMissing()) return std::nullopt;
     return completion.merged();
 }
@@ -162,9 +195,20 @@ Triangulation<3> sharedDelaunay(const Points<3>& x, const std::vector<int>& acti
     const auto coincide = ranks.gather(std::vector<unsigned char>{mine.coincide});
     if (std::count(coincide.begin(), coincide.end(), 1) == 0) {
         mergeParts(known, ends);
-        if (auto whole = completed(x, active, known)) return *std::move(whole);
+        auto neighbours = cellNeighbours(known, static_cast<int>(x.size()));
+        if (auto whole = completed(x, active, {std::move(known), std::move(neighbours)})) return *std::move(whole);
     }
     return spaceDelaunay(x, active);  // of points that coincide one stands for all: which one, only the whole can say
+}
+
+std::optional<Triangulation<3>> threadedDelaunay(const Points<3>& x, const std::vector<int>& active, int nThreads,
+                                                 double halo) {
+    const auto parts = bisect<3>(x, active, nThreads);
+    std::vector<ProvenCells> proven(nThreads);
+    parallelTasks(nThreads, [&](int part) { proven[part] = provenCells(x, active, parts, part, halo); });
+    if (std::any_of(proven.begin(), proven.end(), [](const ProvenCells& part) { return part.coincide; }))
+        return std::nullopt;
+    return completed(x, active, inOneOrder(proven, x.size()));
 }
 
 }  // namespace pfem

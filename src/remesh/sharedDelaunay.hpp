@@ -13,10 +13,13 @@ namespace pfem {
 /// fluid) is triangulated by all. All ranks have all points and get all cells.
 Triangulation<3> sharedDelaunay(const Points<3>& x, const std::vector<int>& active, const Ranks& ranks, double halo);
 
-/// The whole triangulation from those of its cells that are known, in Triangulator's order: what is missing is
-/// between points that not only known cells surround, and is found in the triangulation of those alone. None when it
-/// does not fit, which happens when points coincide.
-std::optional<Triangulation<3>> completed(const Points<3>& x, const std::vector<int>& active,
-                                          const std::vector<Simplex<3>>& known);
+/// The same by threads of this process, each of which triangulates a part. None when points coincide.
+std::optional<Triangulation<3>> threadedDelaunay(const Points<3>& x, const std::vector<int>& active, int nThreads,
+                                                 double halo);
+
+/// The whole triangulation from those of its cells that are known, in Triangulator's order, with those of their
+/// neighbours that are (-1: not known, or none): what is missing is between points that not only known cells surround,
+/// and is found in the triangulation of those alone. None when it does not fit, which happens when points coincide.
+std::optional<Triangulation<3>> completed(const Points<3>& x, const std::vector<int>& active, Triangulation<3> known);
 
 }  // namespace pfem

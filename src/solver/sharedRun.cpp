@@ -32,10 +32,11 @@ std::uint64_t digest(const Nodes<Dim>& nodes) {
 
 template <int Dim>
 void shareAmong(const Ranks& ranks, Simulation<Dim>& simulation) {
-    if (ranks.isAlone()) return;
-    if (Dim == 2)
+    if (Dim == 2) {
+        if (ranks.isAlone()) return;
         throw UserError(
             "-parallel is for cases in three dimensions: in the plane only threads share the work (OMP_NUM_THREADS)");
+    }
     const auto& h = simulation.state.nodes.h;
     const double largest = h.empty() ? 0 : *std::max_element(h.begin(), h.end());
     simulation.controls.continuity.ranks = ranks;

@@ -6,7 +6,8 @@
 
 namespace pfem {
 
-/// From now on `ranks` share the simulation's work. Throws UserError in the plane, which has nothing to share.
+/// From now on `ranks` share the simulation's work, or the threads of a single one its triangulation. Throws UserError
+/// in the plane, where ranks have nothing to share.
 template <int Dim>
 void shareAmong(const Ranks& ranks, Simulation<Dim>& simulation);
 

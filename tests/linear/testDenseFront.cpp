@@ -14,35 +14,38 @@ using namespace pfem;
 namespace {
 
 /// A front m x width with strong pivots of both signs, and its remainder.
+template <class Real>
 struct Sample {
     int m, width;
-    std::vector<double> F, U;
+    std::vector<Real> F, U;
     int left() const { return m - width; }
 };
 
-Sample sample(int m, int width) {
+template <class Real>
+Sample<Real> sample(int m, int width) {
     std::mt19937 random(3);
-    std::uniform_real_distribution<double> value(-1, 1);
-    Sample s{m, width, std::vector<double>(static_cast<std::size_t>(m) * width), {}};
+    std::uniform_real_distribution<Real> value(-1, 1);
+    Sample<Real> s{m, width, std::vector<Real>(static_cast<std::size_t>(m) * width), {}};
     s.U.resize(packedSize(s.left()));
-    for (double& f : s.F) f = value(random);
-    for (double& u : s.U) u = value(random);
-    for (int k = 0; k < width; ++k) s.F[static_cast<std::size_t>(k) * m + k] = k % 3 ? m : -m;
+    for (Real& f : s.F) f = value(random);
+    for (Real& u : s.U) u = value(random);
+    for (int k = 0; k < width; ++k) s.F[static_cast<std::size_t>(k) * m + k] = static_cast<Real>(k % 3 ? m : -m);
     return s;
 }
 
 /// L and D, one column after the other; then the remainder, four columns at a time.
-Sample byColumns(Sample s) {
-    const auto F = [&](int i, int k) -> double& { return s.F[static_cast<std::size_t>(k) * s.m + i]; };
+template <class Real>
+Sample<Real> byColumns(Sample<Real> s) {
+    const auto F = [&](int i, int k) -> Real& { return s.F[static_cast<std::size_t>(k) * s.m + i]; };
     for (int k = 0; k < s.width; ++k) {
-        const double inverse = 1 / F(k, k);
+        const Real inverse = 1 / F(k, k);
         for (int j = k + 1; j < s.width; ++j)
             for (int i = j; i < s.m; ++i) F(i, j) -= F(j, k) * inverse * F(i, k);
         for (int i = k + 1; i < s.m; ++i) F(i, k) *= inverse;
     }
     for (int j = 0; j < s.left(); ++j)
         for (int i = j; i < s.left(); ++i) {
-            double& u = s.U[packedColumn(j, s.left()) + i];
+            Real& u = s.U[packedColumn(j, s.left()) + i];
             const auto term = [&](int k) { return F(k, k) * F(s.width + j, k) * F(s.width + i, k); };
             int k = 0;
             for (; k + 4 <= s.width; k += 4) u -= (term(k) + term(k + 1)) + (term(k + 2) + term(k + 3));
@@ -83,7 +86,7 @@ void substitutePlainly(const std::vector<Stored>& L, int m, const std::vector<do
 
 /// Both with the registers of this processor (AVX2 or AVX-512 where it has them) and by plain loops.
 template <class Stored>
-void expectBitsOfPlainLoops(const Sample& s) {
+void expectBitsOfPlainLoops(const Sample<double>& s) {
     const std::vector<Stored> L(s.F.begin(), s.F.end());
     std::vector<double> own(s.width), below(s.left(), 0.0);
     for (int k = 0; k < s.width; ++k) own[k] = std::sin(k + 1.0);
@@ -97,17 +100,13 @@ void expectBitsOfPlainLoops(const Sample& s) {
     EXPECT_EQ(own, plainOwn);
 }
 
-}  // namespace
-
-class DenseFront : public testing::TestWithParam<std::tuple<int, int>> {};
-
-/// Widths around that of a panel, rows around those of a tile; a tile at the edge, a rest of products below four.
-TEST_P(DenseFront, tilesGiveTheBitsOfColumns) {
-    const auto [left, width] = GetParam();
-    Sample s = sample(left + width, width);
-    const Sample expected = byColumns(s);
+/// Both kernels of a factor, of m rows.
+template <class Real>
+void expectBitsOfColumns(int m, int width) {
+    Sample<Real> s = sample<Real>(m, width);
+    const Sample<Real> expected = byColumns(s);
     ASSERT_TRUE(factorColumns(s.F.data(), s.m, width));
-    subtractProduct(s.U.data(), left, s.F.data(), s.m, width);
+    subtractProduct(s.U.data(), s.left(), s.F.data(), s.m, width);
     for (int k = 0; k < width; ++k)
         for (int i = k; i < s.m; ++i) {
             const std::size_t at = static_cast<std::size_t>(k) * s.m + i;
@@ -116,10 +115,21 @@ TEST_P(DenseFront, tilesGiveTheBitsOfColumns) {
     EXPECT_EQ(s.U, expected.U);
 }
 
+}  // namespace
+
+class DenseFront : public testing::TestWithParam<std::tuple<int, int>> {};
+
+/// Widths around that of a panel, rows around those of a tile; a tile at the edge, a rest of products below four.
+TEST_P(DenseFront, tilesGiveTheBitsOfColumns) {
+    const auto [left, width] = GetParam();
+    expectBitsOfColumns<double>(left + width, width);
+    expectBitsOfColumns<float>(left + width, width);
+}
+
 /// Registers of any width give the same bits: what is computed does not depend on the machine.
 TEST_P(DenseFront, substitutionsGiveTheBitsOfPlainLoops) {
     const auto [left, width] = GetParam();
-    Sample s = sample(left + width, width);
+    Sample<double> s = sample<double>(left + width, width);
     ASSERT_TRUE(factorColumns(s.F.data(), s.m, width));
     expectBitsOfPlainLoops<float>(s);
     expectBitsOfPlainLoops<double>(s);
@@ -130,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, DenseFront,
                                           testing::Values(1, 31, 63, 64, 97, 131)));
 
 TEST(DenseFront, saysThatAPivotVanishes) {
-    Sample s = sample(90, 80);
+    Sample<double> s = sample<double>(90, 80);
     for (int i = 0; i < s.m; ++i) s.F[static_cast<std::size_t>(70) * s.m + i] = 0;
     for (int k = 0; k < 70; ++k) s.F[static_cast<std::size_t>(k) * s.m + 70] = 0;
     EXPECT_FALSE(factorColumns(s.F.data(), s.m, s.width));

@@ -95,7 +95,7 @@ MultigridSolver multigridSolver(const Sample& s, double tolerance) {
     constexpr double scale = 0.5;
     const SymmetricMatrix M = elasticBlock(s, scale);
     const auto first = s.place.begin() + s.sizes.nPressures;
-    std::shared_ptr<SymmetricSolver> factor = elasticSolver<3>(M, {first, first + s.sizes.nElastic});
+    std::shared_ptr<SymmetricSolver> factor = elasticSolver<3>(M, {first, first + s.sizes.nElastic}, 1e9);
     factor->analyse(M);
     factor->factor(M);
     return {s.sizes, {factor, scale}, tolerance, {}};

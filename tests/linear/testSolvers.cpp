@@ -104,6 +104,24 @@ TEST(SymmetricSolver, residualsOfLargeMatrices) {
     }
 }
 
+/// A factor that is kept, and one that is computed in single precision: good to so many digits of the residual.
+TEST(SymmetricSolver, singlePrecision) {
+    const Sample sample = square(90, 2000);
+    const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(sample.A.n, 0, 40).array().cos();
+    const auto residual = [&](auto&& solver) {
+        solver.analyse(sample.A);
+        solver.factor(sample.A);
+        return (sample.A.multiply(solver.solve(b)) - b).norm() / b.norm();
+    };
+    const auto part = slabs<2>(sample.place, 2, 0);
+    const double kept = residual(DissectedLdlt<2, float>(sample.place, part, 2)),
+                 throughout = residual(DissectedLdlt<2, float, float>(sample.place, part, 2));
+    EXPECT_LT(kept, 1e-5);
+    EXPECT_GT(kept, 1e-9);
+    EXPECT_LT(throughout, 1e-5);
+    EXPECT_GT(throughout, 1e-9);
+}
+
 TEST(SymmetricSolver, newValuesOnTheSamePattern) {
     Sample sample = square(20, 60);
     const Eigen::VectorXd b = Eigen::VectorXd::Ones(sample.A.n);

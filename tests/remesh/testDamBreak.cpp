@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "mesh/locator.hpp"
 #include "support/cases.hpp"
 
 using namespace pfem;

@@ -6,6 +6,7 @@
 
 #include <set>
 
+#include "mesh/locator.hpp"
 #include "remesh/motionAccount.hpp"
 #include "support/cases.hpp"
 #include "walls/landing.hpp"

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <random>
 
+#include "remesh/cellNeighbours.hpp"
 #include "remesh/provenCells.hpp"
 #include "remesh/spaceDelaunay.hpp"
 #include "support/cases3.hpp"
@@ -33,7 +34,8 @@ std::optional<Triangulation<3>> byRanks(const Points<3>& x, const std::vector<in
     }
     proven = known.size();
     std::sort(known.begin(), known.end());
-    return completed(x, active, known);
+    auto neighbours = cellNeighbours(known, static_cast<int>(x.size()));
+    return completed(x, active, {std::move(known), std::move(neighbours)});
 }
 
 /// The same cells with the same neighbours. Returns the part of the cells that ranks have proven.
@@ -46,6 +48,11 @@ double expectSame(const Points<3>& x, const std::vector<int>& active, int nRanks
     if (!shared) return 0;
     EXPECT_EQ(shared->cells, whole.cells) << what;
     EXPECT_EQ(shared->neighbours, whole.neighbours) << what;
+    const auto threaded = threadedDelaunay(x, active, nRanks, halo);
+    EXPECT_TRUE(threaded.has_value()) << what;
+    if (!threaded) return 0;
+    EXPECT_EQ(threaded->cells, whole.cells) << what;
+    EXPECT_EQ(threaded->neighbours, whole.neighbours) << what;
     return static_cast<double>(proven) / static_cast<double>(std::max<std::size_t>(whole.cells.size(), 1));
 }
 
@@ -128,6 +135,7 @@ TEST(SharedDelaunay, pointsAtOnePlaceAreSeen) {
     const auto whole = spaceDelaunay(x, all(x), &coincide);
     EXPECT_TRUE(coincide);
     EXPECT_EQ(sharedDelaunay(x, all(x), Ranks(), 0.1).cells, whole.cells);
+    EXPECT_FALSE(threadedDelaunay(x, all(x), 2, 0.1).has_value());
 }
 
 /// The sphere of a regular tetrahedron of edge 2 sqrt 2 about the origin has the radius sqrt 3.
