@@ -198,8 +198,8 @@ std::vector<double> laplacianWeights(const Parts<Dim>& parts) {
     return weights;
 }
 
-/// K_p without its face terms, and B: each pressure gathers from the cells around it. A cell that has turned over counts
-/// in K_p as one that stands, so that K_p is definite: the matrix shapes the iteration alone.
+/// K_p without its face terms, and B: each pressure gathers from the cells around it. A cell that has turned over
+/// counts in K_p as one that stands, so that K_p is definite: the matrix shapes the iteration alone.
 template <int Dim>
 void addCells(const Parts<Dim>& parts, SymmetricMatrix& A) {
     const Topology<Dim>& topology = parts.step.topology;
