@@ -1,4 +1,5 @@
-// system/meshDict + constant/materials -> 0/: mesh the bodies and walls, write the state at time 0.
+// system/meshDict + constant/materials -> 0/: mesh the bodies and walls, write the state at time 0. From
+// constant/boundaryConditions, where there is one: through which walls the first velocity goes.
 
 #include <sys/resource.h>
 
@@ -15,6 +16,7 @@
 #include "io/stateFiles.hpp"
 #include "mesher/meshFile.hpp"
 #include "mesher/meshReport.hpp"
+#include "mesher/openings.hpp"
 #include "mesher/readMeshDict.hpp"
 #include "mesher/space/readSpaceDict.hpp"
 #include "mesher/space/spaceReport.hpp"
@@ -65,6 +67,17 @@ void checkConditions(const Case& theCase, const State<Dim>& state) {
     }
 }
 
+/// Walls that are openings let the first velocity through. What is wrong with the conditions is told in the end.
+template <class Description>
+void markOpenings(const Case& theCase, Description& description) {
+    const auto file = theCase.constant("boundaryConditions");
+    if (!std::filesystem::exists(file)) return;
+    try {
+        pfem::markOpenings(Dictionary::read(file), description);
+    } catch (const UserError&) {
+    }
+}
+
 MeshResult makeMesh(const Case& theCase, const MeshDescription& description) {
     if (description.meshFile.empty()) return buildMesh(description);
     const auto file = theCase.root() / description.meshFile;
@@ -97,16 +110,18 @@ void write(const Case& theCase, const State<Dim>& state) {
 }
 
 void meshPlane(const Case& theCase, const Dictionary& dict, double meshSize) {
-    const MeshDescription description = readMeshDict(dict, materialNames(theCase), meshSize);
+    MeshDescription description = readMeshDict(dict, materialNames(theCase), meshSize);
     warnUnused(dict, std::cerr);
+    markOpenings(theCase, description);
     const MeshResult mesh = makeMesh(theCase, description);
     std::cout << meshReport(description, mesh) << std::flush;
     write<2>(theCase, mesh.state);
 }
 
 void meshSpace(const Case& theCase, const Dictionary& dict, double meshSize) {
-    const SpaceDescription description = readSpaceDict(dict, materialNames(theCase), theCase.root(), meshSize);
+    SpaceDescription description = readSpaceDict(dict, materialNames(theCase), theCase.root(), meshSize);
     warnUnused(dict, std::cerr);
+    markOpenings(theCase, description);
     const SpaceMeshResult mesh = makeSpaceMesh(theCase, description);
     std::cout << spaceReport(description, mesh) << std::flush;
     write<3>(theCase, mesh.state);

@@ -24,9 +24,10 @@ Patch<2>& patchNamed(Mesh<2>& mesh, const std::string& name) {
 
 namespace {
 
-/// Walls do not let the fluid through: its initial velocity there is the part along the wall.
+/// Walls do not let the fluid through: its initial velocity there is the part along the wall. Openings do.
 void alignWithWalls(Draft& draft, const MeshDescription& description) {
     for (const auto& wall : description.walls) {
+        if (wall.opening) continue;
         for (const auto& [a, b] : patchNamed(draft.mesh, wall.name).faces) {
             const Vec<2> along = (draft.x[b] - draft.x[a]).normalized();
             for (const int i : {a, b}) {

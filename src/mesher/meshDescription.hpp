@@ -50,8 +50,9 @@ struct Body : Outline, Nature<2> {
 };
 
 struct Wall : Outline {
-    bool moving = false;  // it shares no node with other walls, so that it can leave them
-    std::string group;    // of a mesh file: its edges; "": a line of points
+    bool moving = false;   // it shares no node with other walls, so that it can leave them
+    bool opening = false;  // the first velocity goes through it (openings.hpp)
+    std::string group;     // of a mesh file: its edges; "": a line of points
 };
 
 /// A place of finer mesh: a box, or all that is near a line of points (of a sphere: its centre, twice).

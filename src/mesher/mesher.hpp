@@ -22,9 +22,9 @@ struct MeshResult {
 
 /// Mesh all bodies and walls. Bodies that touch share their nodes; a wall keeps its corners and ends only, the fluid's
 /// nodes between them slide along it (Nodes::wall). A wall has no face under a named patch of a solid. Nodes are
-/// numbered along Hilbert's curve, ids 0 .. n-1; a = p = sigma = 0, x = X. On a wall the velocity is the body's part
-/// along the wall; on an interface the solid's. Throws UserError with the place in the dictionary for geometry that
-/// cannot be meshed.
+/// numbered along Hilbert's curve, ids 0 .. n-1; a = p = sigma = 0, x = X. On a wall that is no opening the
+/// velocity is the body's part along the wall; on an interface the solid's. Throws UserError with the place in the
+/// dictionary for geometry that cannot be meshed.
 MeshResult buildMesh(const MeshDescription& mesh);
 
 }  // namespace pfem

@@ -52,7 +52,8 @@ struct SpaceWall {
     std::vector<bool> open;  // per region of the geometry: left out
     WallSide side = WallSide::automatic;
     bool moving = false;
-    std::string group;  // of a mesh file: its triangles
+    bool opening = false;  // the first velocity goes through it (../openings.hpp)
+    std::string group;     // of a mesh file: its triangles
     Places places;
 };
 

@@ -85,17 +85,24 @@ void addPatches(const SpaceDescription& description, int b, SpaceMeshResult& res
     }
 }
 
-/// Fluid nodes on walls know them, and have no velocity through any.
+/// Fluid nodes on walls know them, and have no velocity through any that is no opening.
 void standOnWalls(const SpaceDescription& description, State<3>& state) {
-    std::vector<bool> isWall;
-    for (const auto& patch : state.mesh.patches)
-        isWall.push_back(std::any_of(description.walls.begin(), description.walls.end(),
-                                     [&](const SpaceWall& wall) { return wall.name == patch.name; }));
+    std::vector<bool> isWall, isOpening;
+    for (const auto& patch : state.mesh.patches) {
+        const auto wall = std::find_if(description.walls.begin(), description.walls.end(),
+                                       [&](const SpaceWall& one) { return one.name == patch.name; });
+        isWall.push_back(wall != description.walls.end());
+        isOpening.push_back(isWall.back() && wall->opening);
+    }
     if (std::find(isWall.begin(), isWall.end(), true) == isWall.end()) return;
     separateFromWalls<3>(isWall, state);
     const auto faces = wallFaces<3>(state.mesh.patches, isWall, state.nodes.x);
-    for (int i = 0; i < state.nodes.size(); ++i)
-        state.nodes.v[i] = freedomOn<3>(faces, state.nodes.x, state.nodes.wall[i]).project(state.nodes.v[i]);
+    for (int i = 0; i < state.nodes.size(); ++i) {
+        Supports<3> closed = state.nodes.wall[i];
+        for (int& wall : closed)
+            if (wall >= 0 && isOpening[faces[wall].patch]) wall = -1;
+        state.nodes.v[i] = freedomOn<3>(faces, state.nodes.x, closed).project(state.nodes.v[i]);
+    }
 }
 
 }  // namespace

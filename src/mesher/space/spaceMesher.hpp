@@ -22,8 +22,9 @@ struct SpaceMeshResult {
 
 /// Mesh all bodies and walls. Bodies that touch share their nodes. Points of walls are geometry: no cell has them;
 /// fluid nodes on a wall know the first of its faces that they lie on (Nodes::wall). Nodes are numbered along Hilbert's
-/// curve, those of walls behind them; ids 0 .. n-1; a = p = sigma = 0, x = X. On walls the velocity is the body's part
-/// along all of them; on an interface the solid's. Throws UserError with the place in the dictionary.
+/// curve, those of walls behind them; ids 0 .. n-1; a = p = sigma = 0, x = X. On walls that are no openings the
+/// velocity is the body's part along all of them; on an interface the solid's. Throws UserError with the place
+/// in the dictionary.
 SpaceMeshResult buildSpaceMesh(const SpaceDescription& description);
 
 /// The same with the tetrahedra of a file: bodies, patches and walls are its groups, walls may be shapes, too. Points
