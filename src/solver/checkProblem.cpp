@@ -57,6 +57,33 @@ std::vector<PatchRole> patchRoles(const State<Dim>& state) {
     return roles;
 }
 
+/// An inlet that pushes water at rest at once, with an elastic solid in it; "" without.
+template <int Dim>
+std::string suddenInlet(const Problem<Dim>& problem, const State<Dim>& state) {
+    const auto& mesh = state.mesh;
+    std::vector<char> ofFluid(state.nodes.x.size(), 0);
+    for (const auto& cell : mesh.fluid.nodes)
+        for (const int i : cell) {
+            if (state.nodes.v[i].norm() > 0) return "";
+            ofFluid[i] = 1;
+        }
+    bool wetSolid = false;
+    for (int e = 0; e < mesh.solid.size() && !wetSolid; ++e)
+        wetSolid =
+            !rigidOf(problem.solid(mesh.solid.material[e]).law.get()) &&
+            std::any_of(mesh.solid.nodes[e].begin(), mesh.solid.nodes[e].end(), [&](int i) { return ofFluid[i]; });
+    int face = 0;  // the first of the patch, as Nodes::wall counts
+    for (std::size_t k = 0; wetSolid && k < mesh.patches.size(); ++k) {
+        const int first = face, last = face += static_cast<int>(mesh.patches[k].faces.size());
+        const auto& inlet = problem.conditions.inlet[k];
+        if (!inlet || inlet->at(state.time.value) == 0) continue;
+        for (int i = 0; i < state.nodes.size(); ++i)
+            for (const int wall : state.nodes.wall[i])
+                if (ofFluid[i] && wall >= first && wall < last) return mesh.patches[k].name;
+    }
+    return "";
+}
+
 /// Nothing is denser in g/cm3, or in units with smaller numbers; in kg/m3 all liquids are.
 constexpr double densest = 25;
 
@@ -132,6 +159,13 @@ std::vector<std::string> doubts(const Dictionary& materials, const Dictionary& g
         low = i == 0 ? state.nodes.x[i] : Vec<Dim>(low.cwiseMin(state.nodes.x[i]));
         high = i == 0 ? state.nodes.x[i] : Vec<Dim>(high.cwiseMax(state.nodes.x[i]));
     }
+    if (const auto inlet = suddenInlet<Dim>(problem, state); !inlet.empty())
+        doubt(
+            conditions.subDict(inlet), "type",
+            "water at rest has to move with this velocity at once, and elastic solids in it with the same impulse: "
+            "they "
+            "may be torn. Let the inlet's rate begin with 0 (type table), or give the body of water its 'velocity' in "
+            "system/meshDict");
     driven = driven || problem.conditions.anyInlet() || problem.flow;
     for (const auto& traction : problem.conditions.traction) driven = driven || traction.norm() > 0;
     for (const auto& [entry, value] : flatEntries(conditions))

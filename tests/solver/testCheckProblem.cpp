@@ -80,6 +80,34 @@ TEST(CheckProblem, inletsHaveAWayOut) {
               std::string::npos);
 }
 
+// Water at rest that an inlet moves at once takes elastic solids along; not so from rest, in water that flows, and
+// rigid bodies.
+TEST(CheckProblem, inletsThatStartAtOnce) {
+    const auto doubtsAbout = [](const std::string& velocity, const std::string& inlet, const std::string& law) {
+        const std::string conditions = "bed { type slip; } held { type clamped; }\nleft { type inlet; velocity " +
+                                       inlet + "; } end { type outlet; }";
+        const std::string materials = water + "rubber { type " + law + " rho 1500; }";
+        const TestCase c = makeCase(
+            "meshSize 0.1; bodies ( pool { type fluid; material water; holes (plate); velocity " + velocity + "; " +
+                rectangle(0, 0, 2, 0.5) + " } plate { type solid; material rubber; " + rectangle(0.9, 0, 1, 0.3) +
+                " patches { held { edges ((0 1)); } } } ); walls ( bed { points ((0 0) (2 0)); } end { points ((2 0) "
+                "(2 "
+                "0.9)); } left { points ((0 0.9) (0 0)); } );",
+            materials, conditions, {0, 0});
+        std::string all;
+        for (const auto& doubt :
+             doubts<2>(Dictionary::parse(materials, "materials"), Dictionary::parse("value (0 0 0);", "g"),
+                       Dictionary::parse(conditions, "boundaryConditions"), c.problem, c.state))
+            all += doubt;
+        return all;
+    };
+    const std::string elastic = "neoHookean; E 1e5; nu 0.3;", table = "{ type table; values ((0 0) (1 2)); }";
+    EXPECT_NE(doubtsAbout("(0 0)", "2", elastic).find("boundaryConditions:2: water at rest"), std::string::npos);
+    EXPECT_EQ(doubtsAbout("(0 0)", table, elastic), "");
+    EXPECT_EQ(doubtsAbout("(2 0)", "2", elastic), "");
+    EXPECT_EQ(doubtsAbout("(0 0)", "2", "rigid;"), "");
+}
+
 // Waves must be longer than eight mesh sizes: of h = 0.1 m those of 0.7 s are 0.76 m long.
 TEST(CheckProblem, wavesAreLongBesideTheMesh) {
     const auto doubtsOfPeriod = [](const std::string& period) {
