@@ -18,15 +18,16 @@ namespace {
 /// Numbering of the coupled matrix: pressures, solid velocities, velocities of nodes at the free surface and at
 /// outlets.
 struct Unknowns {
-    std::vector<int> pressure;  // per node: its pressure unknown or -1
-    std::vector<int> surface;   // per node: first velocity unknown of a moving free-surface node or -1
+    std::vector<unsigned char> isMade;  // per node: is the column of its pressure?
+    std::vector<int> pressure;          // per node: its pressure unknown or -1
+    std::vector<int> surface;           // per node: first velocity unknown of a moving free-surface node or -1
     int nPressure = 0;
     int nSolid = 0;
     int n = 0;
 };
 
 template <int Dim>
-Unknowns numberUnknowns(const Step<Dim>& step, bool strong, int nSolid) {
+Unknowns numberUnknowns(const Step<Dim>& step, const Share& share, bool strong, int nSolid) {
     const auto& [topology, constraints] = std::tie(step.topology, step.constraints);
     Unknowns u;
     u.pressure.assign(topology.nNodes(), -1);
@@ -35,6 +36,12 @@ Unknowns numberUnknowns(const Step<Dim>& step, bool strong, int nSolid) {
     for (int i = 0; i < topology.nNodes(); ++i)
         if (topology.wet(i) && !step.isImage(i) && !(strong && topology.freeSurface[i])) u.pressure[i] = u.nPressure++;
     step.follow(u.pressure);
+    u.isMade.assign(topology.nNodes(), share.isWhole());
+    if (!share.isWhole())  // all that own rows have in common with others by velocities
+        for (const int e : share.cells())
+            for (const int i : step.mesh.fluid.nodes[e]) u.isMade[i] = 1;
+    for (int i = 0; i < topology.nNodes(); ++i)
+        if (u.pressure[i] < 0 || step.isImage(i)) u.isMade[i] = 0;
     u.n = u.nPressure + nSolid;
     if (strong) return u;
     for (int i = 0; i < topology.nNodes(); ++i) {
@@ -92,6 +99,10 @@ std::vector<int> columnStarts(const Step<Dim>& step, const Unknowns& u, const So
     for (std::size_t i = 0; i < u.pressure.size(); ++i) {
         const int p = u.pressure[i];
         if (p < 0 || step.isImage(static_cast<int>(i))) continue;
+        if (!u.isMade[i]) {
+            start[p + 1] = 0;
+            continue;
+        }
         start[p + 1] += ownUnknowns(static_cast<int>(i));
         for (int s = ring.start[i]; s < ring.start[i + 1]; ++s)
             start[p + 1] += (u.pressure[ring.node[s]] > p) + ownUnknowns(ring.node[s]);
@@ -189,7 +200,7 @@ template <int Dim>
 std::vector<double> laplacianWeights(const Parts<Dim>& parts) {
     const Cells<Dim>& cells = parts.phase.cells;
     std::vector<double> weights(cells.size());
-    parallelFor(cells.size(), [&](int e) {
+    parts.phase.domains.share.forCells(cells.size(), [&](int e) {
         const double rho = parts.step.problem.fluid(cells.material[e]).rho;
         const double schur = sliverFactor<Dim>(parts.phase.domains.element[e]) * parts.step.dt() / rho;
         const double unprojected = parts.stabilisation.tau[e] + parts.controls.schurScale * schur;
@@ -213,7 +224,7 @@ void addCells(const Parts<Dim>& parts, SymmetricMatrix& A) {
         column.at.resize(topology.nNodes());
 #pragma omp for schedule(static)
         for (int i = 0; i < topology.nNodes(); ++i) {
-            if (parts.u.pressure[i] < 0 || parts.step.isImage(i)) continue;
+            if (!parts.u.isMade[i]) continue;
             column.begin(i, topology.ring);
             for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
                 const int e = around.cell[s], k = around.corner[s];
@@ -260,7 +271,7 @@ void addFreeSurface(const Parts<Dim>& parts, const Points<Dim>& x, SymmetricMatr
         const double cell = std::abs(domains.element[face.cell].measure), twoOverH = 2 * measure / (Dim * cell);
         const double tauN = surfaceStabilisation<Dim>(tau[face.cell], phase.mu[face.cell], cell, measure);
         for (int node : face.nodes)
-            if (u.pressure[node] >= 0 && !step.isImage(node) && !projected[face.cell])
+            if (u.isMade[node] && !projected[face.cell])
                 A.value[A.start[u.pressure[node]]] += controls.freeSurfaceWeight * tauN * twoOverH * measure / Dim;
     }
     const double scale = step.gamma() / std::max(controls.freeSurfaceScale, 1e-12);
@@ -303,13 +314,25 @@ bool byMultigrid(const ContinuityControls& controls, int nPressures, int nElasti
     return Dim == 3 && (nPressures > many || nElastic > manyElastic) && hasMultigrid();
 }
 
-/// `elastic`: for the block of the solids.
+/// The pressures of each rank's own nodes, or equal numbers.
+RankRows rowsOfRanks(const Ranks& ranks, const Share& share, const Unknowns& u) {
+    if (share.isWhole()) return {ranks, ranks.evenEnds(u.nPressure)};
+    RankRows rows{ranks, {}};
+    std::size_t node = 0, row = 0;
+    for (const std::size_t end : share.ends()) {
+        for (; node < end; ++node) row += u.pressure[node] >= 0;
+        rows.ends.push_back(row);
+    }
+    return rows;
+}
+
+/// `elastic`: for the block of the solids; `rows`: who has which of the pressures.
 template <int Dim>
 std::unique_ptr<SymmetricSolver> makeSolver(const ContinuityControls& controls, const SymmetricMatrix& A,
-                                            Places<Dim> place, const SaddleSizes& sizes, ElasticInverse elastic) {
+                                            Places<Dim> place, const SaddleSizes& sizes, ElasticInverse elastic,
+                                            RankRows rows) {
     if (byMultigrid<Dim>(controls, sizes.nPressures, sizes.nElastic))
-        return std::make_unique<MultigridSolver>(sizes, std::move(elastic), controls.solverTolerance,
-                                                 rankRows<Dim>(controls.ranks, place, sizes.nPressures));
+        return std::make_unique<MultigridSolver>(sizes, std::move(elastic), controls.solverTolerance, std::move(rows));
     const auto precision = controls.factorPrecision == "double" ? Precision::twofold : Precision::single;
     return dissectedSolver<Dim>(A, std::move(place), precision);
 }
@@ -317,11 +340,20 @@ std::unique_ptr<SymmetricSolver> makeSolver(const ContinuityControls& controls, 
 }  // namespace
 
 template <int Dim>
+bool hasOwnRows(const Step<Dim>& step, const ContinuityControls& controls) {
+    if (step.images || step.mesh.solid.size() > 0 || !step.constraints.bodies.empty() ||
+        !step.constraints.riders.empty())
+        return false;
+    const bool strong = controls.freeSurfacePressure == "strong";
+    return byMultigrid<Dim>(controls, numberUnknowns<Dim>(step, {}, strong, 0).nPressure, 0);
+}
+
+template <int Dim>
 ContinuitySystem<Dim>::ContinuitySystem(const Step<Dim>& step, const ContinuityControls& controls,
                                         const FluidPhase<Dim>& fluid, const Stabilisation& stabilisation,
                                         const Points<Dim>& x, const SolidBlock<Dim>& solid) {
     const bool strong = controls.freeSurfacePressure == "strong";
-    const Unknowns u = numberUnknowns<Dim>(step, strong, solid.matrix.n);
+    const Unknowns u = numberUnknowns<Dim>(step, fluid.domains.share, strong, solid.matrix.n);
     unknown_ = u.pressure;
     nOwn_ = step.images ? step.images->nOwn : step.topology.nNodes();
     n_ = u.n;
@@ -343,7 +375,8 @@ ContinuitySystem<Dim>::ContinuitySystem(const Step<Dim>& step, const ContinuityC
     if (!strong) addFreeSurface<Dim>(of, x, A);
 
     solver_ = makeSolver<Dim>(controls, A, placesOfUnknowns<Dim>(step, x, u, solid.dofs), {u.nPressure, u.nSolid},
-                              {solid.factor, solidScale<Dim>(step, controls)});
+                              {solid.factor, solidScale<Dim>(step, controls)},
+                              rowsOfRanks(controls.ranks, fluid.domains.share, u));
     solver_->analyse(A);
     solver_->factor(A);
 }
@@ -361,7 +394,9 @@ std::vector<double> ContinuitySystem<Dim>::solve(const std::vector<double>& resi
     return dp;
 }
 
-#define PFEM_INSTANTIATE(D) template class ContinuitySystem<D>;
+#define PFEM_INSTANTIATE(D)                                                 \
+    template bool hasOwnRows<D>(const Step<D>&, const ContinuityControls&); \
+    template class ContinuitySystem<D>;
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

@@ -11,6 +11,11 @@
 
 namespace pfem {
 
+/// Can ranks make the rows of their own nodes each, without the others'? Where a multigrid has neither solids nor
+/// images in its matrix.
+template <int Dim>
+bool hasOwnRows(const Step<Dim>& step, const ContinuityControls& controls);
+
 /// One sparse L D L^T per step of the quasi-definite matrix, in (dp, dv_boundary),
 ///
 ///     [ K_p   B    ]    K_p = Omega/(kappa dt) + (tau + s/(rho m)) L + w tau_n M_G
@@ -26,7 +31,8 @@ namespace pfem {
 template <int Dim>
 class ContinuitySystem {
 public:
-    /// In the fluid's present configuration, whose nodes are at x.
+    /// In the fluid's present configuration, whose nodes are at x. Of a share of the fluid the rows of its own nodes,
+    /// which hasOwnRows must allow.
     ContinuitySystem(const Step<Dim>& step, const ContinuityControls& controls, const FluidPhase<Dim>& fluid,
                      const Stabilisation& stabilisation, const Points<Dim>& x, const SolidBlock<Dim>& solid);
 

@@ -1,6 +1,5 @@
 #include "continuity/residual.hpp"
 
-#include "base/parallel.hpp"
 #include "continuity/stabilisation.hpp"
 #include "momentum/bentWalls.hpp"
 #include "momentum/meniscus.hpp"
@@ -29,8 +28,7 @@ CellTerms<Dim> cellTerms(const Step<Dim>& step, const FluidPhase<Dim>& phase, co
     t.rate.resize(cells.nodes.size());
     t.compressibility.resize(cells.nodes.size());
     t.flux.resize(cells.nodes.size());
-#pragma omp parallel for schedule(static) if (cells.size() > shortLoop)
-    for (int e = 0; e < cells.size(); ++e) {
+    phase.domains.share.forCells(cells.size(), [&](int e) {
         const auto& g = phase.domains.element[e];
         double growth = 0;  // |e| div v at the end of the step
         Vec<Dim> gradP = Vec<Dim>::Zero();
@@ -46,7 +44,7 @@ CellTerms<Dim> cellTerms(const Step<Dim>& step, const FluidPhase<Dim>& phase, co
         t.rate[e] = growth / (Dim + 1) - share * step.divTarget;
         t.compressibility[e] = share / fluid.kappa;
         t.flux[e] = g.measure * (tau[e] * (gradP - fluid.rho * gravity) + (tau[e] - tauFaces) * fluid.rho * a);
-    }
+    });
     return t;
 }
 
@@ -56,7 +54,7 @@ template <int Dim>
 void subtractProjection(const SmoothingDomains<Dim>& domains, const NodeToCells& around, const PerCell<double>& tau,
                         const PerCell<unsigned char>& projected, PerCell<Vec<Dim>>& flux) {
     Points<Dim> mean(domains.nNodes(), Vec<Dim>::Zero());  // its share in a cell's mean
-    parallelFor(domains.nNodes(), [&](int i) {
+    domains.share.forNodes(domains.nNodes(), [&](int i) {
         double weight = 0;
         Vec<Dim> sum = Vec<Dim>::Zero();
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
@@ -67,7 +65,7 @@ void subtractProjection(const SmoothingDomains<Dim>& domains, const NodeToCells&
         }
         if (weight > 0) mean[i] = sum / weight / (Dim + 1);
     });
-    parallelFor(domains.nCells(), [&](int e) {
+    domains.share.forCells(domains.nCells(), [&](int e) {
         if (!projected[e]) return;
         Vec<Dim> m = Vec<Dim>::Zero();
         for (int node : domains.cell(e)) m += mean[node];
@@ -111,8 +109,7 @@ std::vector<double> continuityResidual(const Step<Dim>& step, const ContinuityCo
     if (projection) subtractProjection<Dim>(domains, around, tau, projected, terms.flux);
     const double returnRate = volumeReturnRate(controls, dt);
     std::vector<double> R(middle.size(), 0.0);
-#pragma omp parallel for schedule(static) if (cells.size() > shortLoop)
-    for (int i = 0; i < topology.nNodes(); ++i) {
+    domains.share.forNodes(topology.nNodes(), [&](int i) {
         double compressibility = 0, sum = 0;
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
             const int e = around.cell[s];
@@ -121,7 +118,7 @@ std::vector<double> continuityResidual(const Step<Dim>& step, const ContinuityCo
         }
         sum += compressibility * (middle.p[i] - old.p[i]) / dt;
         R[i] = around.count(i) > 0 ? sum - returnRate * old.lostVolume[i] : sum;
-    }
+    });
 
     subtractChordFlux<Dim>(topology, step.constraints, trial.end, R);
     for (const auto& face : topology.faces) {

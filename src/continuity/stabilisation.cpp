@@ -13,8 +13,7 @@ PerCell<double> stabilisation(const Problem<Dim>& problem, const Cells<Dim>& cel
                               const SmoothingDomains<Dim>& domains, const PerCell<double>& mu, const Points<Dim>& v,
                               double dt) {
     PerCell<double> tau(cells.size());
-#pragma omp parallel for schedule(static) if (cells.size() > shortLoop)
-    for (int e = 0; e < cells.size(); ++e) {
+    domains.share.forCells(cells.size(), [&](int e) {
         const ViscousFluid& fluid = problem.fluid(cells.material[e]);
         const double h =
             Dim == 2 ? std::sqrt(2 * domains.element[e].measure) : std::cbrt(6 * domains.element[e].measure);
@@ -22,7 +21,7 @@ PerCell<double> stabilisation(const Problem<Dim>& problem, const Cells<Dim>& cel
         for (int node : cells.nodes[e]) mean += v[node] / (Dim + 1);
         tau[e] = sliverFactor<Dim>(domains.element[e]) /
                  (8 * mu[e] / (h * h) + fluid.rho / dt + fluid.rho * mean.norm() / h);
-    }
+    });
     return tau;
 }
 

@@ -11,12 +11,17 @@
 
 namespace pfem {
 
-/// work(material, first, last) for runs first ... last - 1 of stress points of one material, in parallel where they are
-/// many; none is longer than 256. Throws what the first of the works has thrown.
+/// work(material, first, last) for runs first ... last - 1 of stress points of one material, of this process's share,
+/// in parallel where they are many; none is longer than 256. Throws what the first of the works has thrown.
 template <int Dim, class Work>
-void forMaterialRuns(const SmoothingDomains<Dim>& domains, const Cells<Dim>& cells, const Work& work) {
+void forMaterialRuns(const SmoothingDomains<Dim>& domains, const Share& share, const Cells<Dim>& cells,
+                     const Work& work) {
     constexpr int block = 256;
-    const int n = nStressPoints<Dim>(domains), nBlocks = (n + block - 1) / block;
+    const bool isWhole = share.isWhole(), isNodal = domains.scheme == Integration::nodal;
+    const std::vector<int>* list = isWhole ? nullptr : isNodal ? &share.nodes() : &share.cells();
+    const int n = list ? static_cast<int>(list->size()) : nStressPoints<Dim>(domains);
+    const int nBlocks = (n + block - 1) / block;
+    const auto pointAt = [list](int k) { return list ? (*list)[k] : k; };
     const auto materialOf = [&](int p) {
         return isStressPoint<Dim>(domains, p) ? cells.material[cellOfPoint<Dim>(domains, p)] : -1;
     };
@@ -25,10 +30,13 @@ void forMaterialRuns(const SmoothingDomains<Dim>& domains, const Cells<Dim>& cel
     for (int b = 0; b < nBlocks; ++b) {
         try {
             const int end = std::min(n, (b + 1) * block);
-            for (int first = b * block, last = first; first < end; first = last) {
-                const int material = materialOf(first);
-                for (last = first + 1; last < end && materialOf(last) == material;) ++last;
-                if (material >= 0) work(material, first, last);
+            for (int k = b * block, next = k; k < end; k = next) {
+                const int first = pointAt(k), material = materialOf(first);
+                const auto goesOn = [&](int point) {
+                    return point == first + next - k && materialOf(point) == material;
+                };
+                for (next = k + 1; next < end && goesOn(pointAt(next));) ++next;
+                if (material >= 0) work(material, first, first + next - k);
             }
         } catch (...) {
             failed[b] = std::current_exception();
@@ -36,6 +44,12 @@ void forMaterialRuns(const SmoothingDomains<Dim>& domains, const Cells<Dim>& cel
     }
     for (const auto& failure : failed)
         if (failure) std::rethrow_exception(failure);
+}
+
+/// The same of the domains' own share.
+template <int Dim, class Work>
+void forMaterialRuns(const SmoothingDomains<Dim>& domains, const Cells<Dim>& cells, const Work& work) {
+    forMaterialRuns<Dim>(domains, domains.share, cells, work);
 }
 
 /// Points first ... last - 1 of a field.

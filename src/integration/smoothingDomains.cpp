@@ -1,13 +1,12 @@
 #include "integration/smoothingDomains.hpp"
 
-#include "base/parallel.hpp"
-
 namespace pfem {
 
 template <int Dim>
 SmoothingDomains<Dim> makeSmoothingDomains(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around,
-                                           const Points<Dim>& x, Integration scheme) {
+                                           const Points<Dim>& x, Integration scheme, const Share& share) {
     SmoothingDomains<Dim> domains;
+    domains.share = share;
     domains.scheme = scheme;
     domains.cells = &cells;
     domains.around = &around;
@@ -19,27 +18,16 @@ SmoothingDomains<Dim> makeSmoothingDomains(const std::vector<Simplex<Dim>>& cell
 
 template <int Dim>
 void updateSmoothingDomains(SmoothingDomains<Dim>& domains, const Points<Dim>& x) {
-    const int nCells = domains.nCells();
-    if (nCells == 0) return;
-    const int nNodes = domains.nNodes();
-    const NodeToCells& around = *domains.around;
-#pragma omp parallel if (nCells > shortLoop)
-    {
-#pragma omp for schedule(static)
-        for (int e = 0; e < nCells; ++e) domains.element[e] = simplexGeometry<Dim>(x, domains.cell(e));
-#pragma omp for schedule(static)
-        for (int i = 0; i < nNodes; ++i) {
-            double sum = 0;
-            for (int s = around.start[i]; s < around.start[i + 1]; ++s) sum += domains.element[around.cell[s]].measure;
-            domains.volume[i] = sum / (Dim + 1);
-        }
-    }
+    domains.share.forCells(domains.nCells(),
+                           [&](int e) { domains.element[e] = simplexGeometry<Dim>(x, domains.cell(e)); });
+    updateVolumes(domains);
 }
 
 template <int Dim>
 void updateVolumes(SmoothingDomains<Dim>& domains) {
+    if (domains.nCells() == 0) return;
     const NodeToCells& around = *domains.around;
-    parallelFor(domains.nNodes(), [&](int i) {
+    domains.share.forNodes(domains.nNodes(), [&](int i) {
         double sum = 0;
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) sum += domains.element[around.cell[s]].measure;
         domains.volume[i] = sum / (Dim + 1);
@@ -49,12 +37,8 @@ void updateVolumes(SmoothingDomains<Dim>& domains) {
 template <int Dim>
 PerCell<Tensor<Dim>> elementGradient(const SmoothingDomains<Dim>& domains, const Points<Dim>& v) {
     PerCell<Tensor<Dim>> L(domains.nCells());
-#pragma omp parallel for schedule(static) if (domains.nCells() > shortLoop)
-    for (int e = 0; e < domains.nCells(); ++e) {
-        Tensor<Dim> sum = Tensor<Dim>::Zero();
-        for (int k = 0; k <= Dim; ++k) sum += v[domains.cell(e)[k]] * domains.element[e].gradN[k].transpose();
-        L[e] = sum;
-    }
+    domains.share.forCells(domains.nCells(),
+                           [&](int e) { L[e] = gradientIn<Dim>(domains.element[e], domains.cell(e), v); });
     return L;
 }
 
@@ -62,26 +46,24 @@ template <int Dim, class Value>
 PerNode<Value> nodalMean(const SmoothingDomains<Dim>& domains, const PerCell<Value>& field) {
     const NodeToCells& around = *domains.around;
     PerNode<Value> mean(domains.nNodes());
-#pragma omp parallel for schedule(static) if (domains.nCells() > shortLoop)
-    for (int i = 0; i < domains.nNodes(); ++i) {
+    domains.share.forNodes(domains.nNodes(), [&](int i) {
         Value sum = Value::Zero();
         for (int s = around.start[i]; s < around.start[i + 1]; ++s)
             sum += domains.element[around.cell[s]].measure * field[around.cell[s]];
         if (around.count(i) > 0) sum /= (Dim + 1) * domains.volume[i];
         mean[i] = sum;
-    }
+    });
     return mean;
 }
 
 template <int Dim, class Value>
 PerCell<Value> elementMean(const SmoothingDomains<Dim>& domains, const PerNode<Value>& nodal) {
     PerCell<Value> mean(domains.nCells());
-#pragma omp parallel for schedule(static) if (domains.nCells() > shortLoop)
-    for (int e = 0; e < domains.nCells(); ++e) {
+    domains.share.forCells(domains.nCells(), [&](int e) {
         Value sum = nodal[domains.cell(e)[0]];
         for (int k = 1; k <= Dim; ++k) sum += nodal[domains.cell(e)[k]];
         mean[e] = sum / (Dim + 1);
-    }
+    });
     return mean;
 }
 
@@ -89,42 +71,37 @@ template <int Dim>
 void addInternalForce(const SmoothingDomains<Dim>& domains, const PerCell<Tensor<Dim>>& stress, Points<Dim>& force) {
     const NodeToCells& around = *domains.around;
     if (domains.nCells() == 0) return;
-#pragma omp parallel for schedule(static) if (domains.nCells() > shortLoop)
-    for (int i = 0; i < domains.nNodes(); ++i) {
+    domains.share.forNodes(domains.nNodes(), [&](int i) {
         Vec<Dim> sum = force[i];
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
             const auto& g = domains.element[around.cell[s]];
             sum += g.measure * (stress[around.cell[s]] * g.gradN[around.corner[s]]);
         }
         force[i] = sum;
-    }
+    });
 }
 
 template <int Dim>
 void addPressureForce(const SmoothingDomains<Dim>& domains, const PerNode<double>& p, Points<Dim>& force) {
     const NodeToCells& around = *domains.around;
+    if (domains.nCells() == 0) return;
     PerCell<double> whole(domains.nCells());  // |e| times the mean pressure
-#pragma omp parallel if (domains.nCells() > shortLoop)
-    {
-#pragma omp for schedule(static)
-        for (int e = 0; e < domains.nCells(); ++e) {
-            double sum = 0;
-            for (int node : domains.cell(e)) sum += p[node];
-            whole[e] = domains.element[e].measure * sum / (Dim + 1);
-        }
-#pragma omp for schedule(static)
-        for (int i = 0; i < domains.nNodes(); ++i) {
-            Vec<Dim> sum = force[i];
-            for (int s = around.start[i]; s < around.start[i + 1]; ++s)
-                sum -= whole[around.cell[s]] * domains.element[around.cell[s]].gradN[around.corner[s]];
-            force[i] = sum;
-        }
-    }
+    domains.share.forCells(domains.nCells(), [&](int e) {
+        double sum = 0;
+        for (int node : domains.cell(e)) sum += p[node];
+        whole[e] = domains.element[e].measure * sum / (Dim + 1);
+    });
+    domains.share.forNodes(domains.nNodes(), [&](int i) {
+        Vec<Dim> sum = force[i];
+        for (int s = around.start[i]; s < around.start[i + 1]; ++s)
+            sum -= whole[around.cell[s]] * domains.element[around.cell[s]].gradN[around.corner[s]];
+        force[i] = sum;
+    });
 }
 
 #define PFEM_INSTANTIATE(D)                                                                                  \
     template SmoothingDomains<D> makeSmoothingDomains<D>(const std::vector<Simplex<D>>&, const NodeToCells&, \
-                                                         const Points<D>&, Integration);                     \
+                                                         const Points<D>&, Integration, const Share&);       \
     template void updateSmoothingDomains<D>(SmoothingDomains<D>&, const Points<D>&);                         \
     template void updateVolumes<D>(SmoothingDomains<D>&);                                                    \
     template PerCell<Tensor<D>> elementGradient<D>(const SmoothingDomains<D>&, const Points<D>&);            \

@@ -12,6 +12,7 @@
 #include "integration/fields.hpp"
 #include "mesh/adjacency.hpp"
 #include "mesh/simplex.hpp"
+#include "parallel/share.hpp"
 
 namespace pfem {
 
@@ -25,6 +26,7 @@ struct SmoothingDomains {
     PerCell<SimplexGeometry<Dim>> element;
     PerNode<double> volume;                   // Omega_I [m2 (2D), m3]; 0 outside the material
     Integration scheme = Integration::nodal;  // which of them are stress points (stressPoints.hpp)
+    Share share;                              // of all loops: beyond it numbers are old ones or none
 
     int nNodes() const { return static_cast<int>(volume.size()); }
     int nCells() const { return static_cast<int>(element.size()); }
@@ -34,7 +36,8 @@ struct SmoothingDomains {
 /// Patches over `cells` (kept by reference), evaluated at the positions x.
 template <int Dim>
 SmoothingDomains<Dim> makeSmoothingDomains(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around,
-                                           const Points<Dim>& x, Integration scheme = Integration::nodal);
+                                           const Points<Dim>& x, Integration scheme = Integration::nodal,
+                                           const Share& share = {});
 
 /// Volumes and gradients in the configuration x.
 template <int Dim>
@@ -44,7 +47,15 @@ void updateSmoothingDomains(SmoothingDomains<Dim>& domains, const Points<Dim>& x
 template <int Dim>
 void updateVolumes(SmoothingDomains<Dim>& domains);
 
-/// grad v in every element: L_ij = dv_i/dx_j.
+/// grad v in an element: L_ij = dv_i/dx_j.
+template <int Dim>
+Tensor<Dim> gradientIn(const SimplexGeometry<Dim>& element, const Simplex<Dim>& nodes, const Points<Dim>& v) {
+    Tensor<Dim> sum = Tensor<Dim>::Zero();
+    for (int k = 0; k <= Dim; ++k) sum += v[nodes[k]] * element.gradN[k].transpose();
+    return sum;
+}
+
+/// The same in every element.
 template <int Dim>
 PerCell<Tensor<Dim>> elementGradient(const SmoothingDomains<Dim>& domains, const Points<Dim>& v);
 

@@ -26,6 +26,15 @@ int nStressPoints(const SmoothingDomains<Dim>& domains) {
     return domains.scheme == Integration::nodal ? domains.nNodes() : domains.nCells();
 }
 
+/// work(p) for the points of this process's share; as parallelFor.
+template <int Dim, class Work>
+void forPoints(const SmoothingDomains<Dim>& domains, const Work& work) {
+    if (domains.scheme == Integration::nodal)
+        domains.share.forNodes(domains.nNodes(), work);
+    else
+        domains.share.forCells(domains.nCells(), work);
+}
+
 /// Does point p belong to the material?
 template <int Dim>
 bool isStressPoint(const SmoothingDomains<Dim>& domains, int p) {

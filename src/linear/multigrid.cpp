@@ -38,7 +38,7 @@ void startPetsc(bool isShared) {
             PetscOptionsSetValue(nullptr, "-pfem_mg_levels_ksp_max_it", "1");
             PetscOptionsSetValue(nullptr, "-pfem_mg_levels_pc_type", "sor");
             // ranks: PETSc's own choice adds what comes from others in the order in which it arrives
-            if (byRanks) PetscOptionsSetValue(nullptr, "-matptap_via", "allatonce");
+            if (byRanks) PetscOptionsSetValue(nullptr, "-matptap_via", "backend");
         }
         ~Session() { PetscFinalize(); }
         Session(const Session&) = delete;
@@ -70,7 +70,8 @@ struct WholeOperator {
     const RankRows& rows;
 
     Eigen::VectorXd operator()(const Eigen::VectorXd& own) const {
-        return rows.ranks.isAlone() ? apply(own) : rows.own(apply(rows.all(own)));
+        const Eigen::VectorXd result = apply(rows.all(own));
+        return result.segment(rows.begin(), own.size());
     }
 };
 
@@ -89,26 +90,6 @@ PetscErrorCode applyOperator(::Mat A, ::Vec x, ::Vec y) {
     VecRestoreArray(y, &to);
     VecRestoreArrayRead(x, &from);
     return 0;
-}
-
-/// Own rows of A, in the rows' order.
-SparseRows ownRows(const SparseRows& A, const RankRows& rows) {
-    std::vector<int> rowOf(A.n());
-    for (int row = 0; row < A.n(); ++row) rowOf[rows.order[row]] = row;
-    SparseRows own;
-    std::vector<std::pair<int, double>> entries;
-    for (int row = rows.begin(); row < rows.end(); ++row) {
-        const int i = rows.order[row];
-        entries.clear();
-        for (int s = A.start[i]; s < A.start[i + 1]; ++s) entries.emplace_back(rowOf[A.column[s]], A.value[s]);
-        std::sort(entries.begin(), entries.end());
-        for (const auto& [column, value] : entries) {
-            own.column.push_back(column);
-            own.value.push_back(value);
-        }
-        own.start.push_back(static_cast<int>(own.column.size()));
-    }
-    return own;
 }
 
 }  // namespace
@@ -145,17 +126,15 @@ struct Multigrid::Petsc {
         KSPGetPC(ksp, &pc);
         cycleByThreads(pc);
     }
-    /// A of all unknowns becomes PETSc's matrix of own rows.
-    void makeMatrix(SparseRows all) {
-        const PetscInt n = all.n();
+    /// PETSc's matrix of own rows, of n in all.
+    void makeMatrix(SparseRows own, PetscInt n) {
         if (shares.ranks.isAlone()) {
-            rows = std::move(all);
+            rows = std::move(own);
             check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, n, n, rows.start.data(), rows.column.data(),
                                             rows.value.data(), &A),
                   "a matrix");
             return;
         }
-        const SparseRows own = ownRows(all, shares);
         check(MatCreateMPIAIJWithArrays(PETSC_COMM_WORLD, own.n(), own.n(), n, n, own.start.data(), own.column.data(),
                                         own.value.data(), &A),
               "a matrix");
@@ -182,8 +161,8 @@ void Multigrid::setUp(SparseRows A, Operator apply) {
     Petsc& p = *petsc_;
     p.clear();
     p.whole.apply = std::move(apply);
-    const PetscInt n = A.n(), nRows = p.shares.ranks.isAlone() ? n : p.shares.nRows();
-    p.makeMatrix(std::move(A));
+    const PetscInt nRows = A.n(), n = p.shares.ranks.isAlone() ? nRows : static_cast<PetscInt>(p.shares.ends.back());
+    p.makeMatrix(std::move(A), n);
     MatSetOption(p.A, MAT_SPD, PETSC_TRUE);
     if (p.shares.ranks.isAlone()) multiplyByThreads(p.A);
     if (p.whole.apply) {
@@ -205,8 +184,11 @@ Eigen::VectorXd Multigrid::solve(const Eigen::VectorXd& b) const {
     if (petsc_->levels.valid()) petsc_->levels.get();
     const RankRows& rows = petsc_->shares;
     const bool isAlone = rows.ranks.isAlone();
-    const Eigen::VectorXd ownB = isAlone ? Eigen::VectorXd() : rows.own(b);
-    Eigen::VectorXd ownX = Eigen::VectorXd::Zero(ownB.size());
+    Eigen::VectorXd ownB, ownX;
+    if (!isAlone) {
+        ownB = b.segment(rows.begin(), rows.end(0) - rows.begin());
+        ownX = Eigen::VectorXd::Zero(ownB.size());
+    }
     const View from(isAlone ? b : ownB, rows.ranks), to(isAlone ? x : ownX, rows.ranks);
     check(KSPSolve(petsc_->ksp, from.get(), to.get()), "the iteration");
     KSPConvergedReason reason = KSP_CONVERGED_ITERATING;

@@ -17,13 +17,14 @@ class Multigrid {
 public:
     using Operator = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 
-    /// `tolerance`: of the preconditioned residual, beside that of b. `rows`: who has which; all ranks have all of A, b
+    /// `tolerance`: of the preconditioned residual, beside that of b. `rows`: who has which; all ranks have all of b
     /// and x. Throws UserError in a build without PETSc.
     explicit Multigrid(double tolerance, RankRows rows = {});
     ~Multigrid();
 
-    /// The levels for `A`, rows with ascending columns. `apply`: the operator that is solved with them, if it is not A.
-    /// Where there are several threads, one of their own makes them beside what comes next, until the first solution.
+    /// The levels for `A`, own rows with ascending columns. `apply`: the operator that is solved with them, if it is
+    /// not A. Where there are several threads, one of their own makes them beside what comes next, until the first
+    /// solution.
     void setUp(SparseRows A, Operator apply = {});
 
     /// Throws StepFailure when the iteration does not converge.

@@ -8,7 +8,7 @@ Eigen::VectorXd ElasticInverse::operator()(const Eigen::VectorXd& f) const {
 }
 
 MultigridSolver::MultigridSolver(SaddleSizes sizes, ElasticInverse elastic, double tolerance, RankRows rows)
-    : sizes_(sizes), elastic_(std::move(elastic)), multigrid_(tolerance, std::move(rows)) {}
+    : sizes_(sizes), elastic_(std::move(elastic)), rows_(std::move(rows)), multigrid_(tolerance, rows_) {}
 
 void MultigridSolver::analyse(const SymmetricMatrix&) {}
 
@@ -19,7 +19,7 @@ void MultigridSolver::factor(const SymmetricMatrix& A) {
         apply = [this](const Eigen::VectorXd& p) -> Eigen::VectorXd {
             return multiply(saddle_.K, p) + multiply(saddle_.B, inverseM(multiply(saddle_.Bt, p)));
         };
-    SparseRows S = eliminateDiagonal(saddle_);
+    SparseRows S = eliminateDiagonal(saddle_, rows_.begin(), rows_.end(sizes_.nPressures));
     if (!apply) saddle_.K = {};  // nobody asks for it any more
     multigrid_.setUp(std::move(S), std::move(apply));
 }

@@ -35,6 +35,7 @@ private:
     SaddleSizes sizes_;
     ElasticInverse elastic_;
     Saddle saddle_;
+    RankRows rows_;
     Multigrid multigrid_;
 };
 

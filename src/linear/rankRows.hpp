@@ -1,28 +1,21 @@
 #pragma once
 // Which ranks have which rows of a matrix.
 
-#include "linear/nestedDissection.hpp"
+#include "linear/saddle.hpp"
 #include "parallel/ranks.hpp"
 
 namespace pfem {
 
-/// Rows are numbered rank by rank, so that each rank has some in a row.
+/// Each rank has a run of the rows.
 struct RankRows {
-    Ranks ranks;             // that share the rows; one: it has them all, in their own order, and nothing below
-    std::vector<int> order;  // the unknown of each row
-    std::vector<int> first;  // first row of each rank, and after them the number of rows
+    Ranks ranks;                    // that share the rows; one has them all
+    std::vector<std::size_t> ends;  // of each rank's run
 
-    int begin() const { return first[ranks.rank()]; }
-    int end() const { return first[ranks.rank() + 1]; }
-    int nRows() const { return end() - begin(); }
+    int begin() const { return ranks.isAlone() ? 0 : ranks.beginOf(ends); }
+    int end(int n) const { return ranks.isAlone() ? n : static_cast<int>(ends[ranks.rank()]); }
 
-    /// The numbers of own rows, from those of all unknowns, and the other way round (collective).
-    Eigen::VectorXd own(const Eigen::VectorXd& all) const;
+    /// Numbers of all rows from those of own rows (collective).
     Eigen::VectorXd all(const Eigen::VectorXd& own) const;
 };
-
-/// Equal numbers of the n first unknowns, those near to each other to one rank.
-template <int Dim>
-RankRows rankRows(const Ranks& ranks, const Places<Dim>& place, int n);
 
 }  // namespace pfem

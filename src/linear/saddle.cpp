@@ -130,9 +130,9 @@ Saddle split(const SymmetricMatrix& A, const SaddleSizes& sizes) {
     return saddle;
 }
 
-SparseRows eliminateDiagonal(const Saddle& saddle) {
+SparseRows eliminateDiagonal(const Saddle& saddle, int first, int last) {
     constexpr int block = 512;
-    const int n = saddle.K.n(), nBlocks = (n + block - 1) / block;
+    const int n = last - first, nBlocks = (n + block - 1) / block;
     const auto meetsVelocities = [&](int i) { return saddle.B.start[i] < saddle.B.start[i + 1]; };
     const auto forRow = [&](int i, Row& row) {
         const auto& [K, B, Bt] = std::tie(saddle.K, saddle.B, saddle.Bt);
@@ -146,10 +146,10 @@ SparseRows eliminateDiagonal(const Saddle& saddle) {
     std::vector<SparseRows> part(nBlocks);
 #pragma omp parallel if (n > shortLoop)
     {
-        Row row(n);
+        Row row(saddle.K.n());
 #pragma omp for schedule(static)
         for (int b = 0; b < nBlocks; ++b)
-            for (int i = b * block; i < std::min(n, (b + 1) * block); ++i) {
+            for (int i = first + b * block; i < std::min(last, first + (b + 1) * block); ++i) {
                 if (!meetsVelocities(i)) {
                     appendRow(saddle.K, i, part[b]);
                     continue;

@@ -37,7 +37,8 @@ SymmetricMatrix diagonalOf(const SymmetricMatrix& A);
 Saddle split(const SymmetricMatrix& A, const SaddleSizes& sizes);
 
 /// K + B diag(M)^{-1} B^T, columns ascending: what is left of a matrix without elastic velocities, an estimate with
-/// them.
-SparseRows eliminateDiagonal(const Saddle& saddle);
+/// them. Of its rows those from `first` to `last` - 1; rows and columns of A that none of them meets need not be there.
+SparseRows eliminateDiagonal(const Saddle& saddle, int first, int last);
+inline SparseRows eliminateDiagonal(const Saddle& saddle) { return eliminateDiagonal(saddle, 0, saddle.K.n()); }
 
 }  // namespace pfem

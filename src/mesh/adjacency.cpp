@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "mesh/sharedTopology.hpp"
 #include "mesh/simplex.hpp"
 
 namespace pfem {
@@ -38,7 +39,23 @@ NodeToCells nodeToCells(const std::vector<Simplex<Dim>>& cells, int nNodes) {
     return around;
 }
 
+std::vector<std::size_t> nodeRuns(const Ranks& ranks, const NodeToCells& around) {
+    std::vector<std::size_t> ends;
+    for (const std::size_t slot : ranks.evenEnds(around.start.back()))
+        ends.push_back(std::lower_bound(around.start.begin(), around.start.end() - 1, static_cast<int>(slot)) -
+                       around.start.begin());
+    ends.back() = around.start.size() - 1;
+    return ends;
+}
+
 namespace {
+
+/// First node of a rank's run and the one after its last.
+struct NodeRun {
+    int first, last;
+    NodeRun(const Ranks& ranks, const std::vector<std::size_t>& ends)
+        : first(ranks.beginOf(ends)), last(static_cast<int>(ends[ranks.rank()])) {}
+};
 
 /// The neighbours of one node, as they are found in the cells around it: arrays, so that searches have no branches.
 struct Found {
@@ -70,27 +87,30 @@ struct Found {
     }
 };
 
-/// `open` (2D): per cell and local node, is the face opposite to it of no other cell?
+/// `open` (2D): per cell and local node, is the face opposite to it of no other cell? `ends`: nodeRuns.
 template <int Dim>
-NodeToNodes nodeToNodes(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around,
-                        std::vector<unsigned char>& open) {
+NodeToNodes nodeToNodes(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around, const Ranks& ranks,
+                        const std::vector<std::size_t>& ends, std::vector<unsigned char>& open) {
+    const NodeRun run(ranks, ends);
     const int nNodes = static_cast<int>(around.start.size()) - 1;
-    std::vector<int> ring(around.cell.size() * Dim);  // of node i: from Dim * around.start[i] on
+    const auto ringAt = [&](int i) {
+        return static_cast<std::ptrdiff_t>(Dim) * (around.start[i] - around.start[run.first]);
+    };
+    std::vector<int> ring(ringAt(run.last)), count(nNodes, 0);
     NodeToNodes result;
-    result.start.assign(around.start.size(), 0);
     open.assign(cells.size() * (Dim + 1), 0);
 #pragma omp parallel if (cells.size() > shortLoop)
     {
         Found found;
 #pragma omp for schedule(static)
-        for (int i = 0; i < nNodes; ++i) {
+        for (int i = run.first; i < run.last; ++i) {
             found.clear();
             for (int s = around.start[i]; s < around.start[i + 1]; ++s)
                 for (int k = 1; k <= Dim; ++k)
                     found.add(cells[around.cell[s]][(around.corner[s] + k) % (Dim + 1)], around.cell[s]);
-            found.writeSorted(ring.data() + static_cast<std::ptrdiff_t>(Dim) * around.start[i]);
+            found.writeSorted(ring.data() + ringAt(i));
             const std::size_t n = found.node.size();
-            result.start[i + 1] = static_cast<int>(n);
+            count[i] = static_cast<int>(n);
             for (std::size_t f = 0; f < n; ++f) {
                 if (Dim != 2 || found.times[f] > 1 || found.node[f] < i) continue;
                 const auto& s = cells[found.cell[f]];
@@ -99,12 +119,16 @@ NodeToNodes nodeToNodes(const std::vector<Simplex<Dim>>& cells, const NodeToCell
             }
         }
     }
-    for (int i = 0; i < nNodes; ++i) result.start[i + 1] += result.start[i];
+    ranks.complete(count, ends);
+    result.start.assign(around.start.size(), 0);
+    for (int i = 0; i < nNodes; ++i) result.start[i + 1] = result.start[i] + count[i];
     result.node.resize(result.start[nNodes]);
 #pragma omp parallel for schedule(static) if (cells.size() > shortLoop)
-    for (int i = 0; i < nNodes; ++i)
-        std::copy_n(ring.data() + static_cast<std::ptrdiff_t>(Dim) * around.start[i],
-                    result.start[i + 1] - result.start[i], result.node.data() + result.start[i]);
+    for (int i = run.first; i < run.last; ++i)
+        std::copy_n(ring.data() + ringAt(i), count[i], result.node.data() + result.start[i]);
+    std::vector<std::size_t> entries;
+    for (const std::size_t end : ends) entries.push_back(result.start[end]);
+    ranks.complete(result.node, entries);
     return result;
 }
 
@@ -129,15 +153,16 @@ std::uint64_t otherNodes(const Face<Dim>& face, int lowest) {
     return low << 32 | high;
 }
 
-/// Faces of one cell alone. Each face is looked for among those whose lowest node is the same.
+/// Faces of one cell alone. Each face is looked for among those whose lowest node is the same, one of the run.
 template <int Dim>
-std::vector<unsigned char> openFaces(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around) {
+std::vector<unsigned char> openFaces(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around,
+                                     const NodeRun& run) {
     std::vector<unsigned char> open(cells.size() * (Dim + 1), 0);
 #pragma omp parallel if (cells.size() > shortLoop)
     {
         std::vector<SeenFace> seen;
 #pragma omp for schedule(static)
-        for (int i = 0; i < static_cast<int>(around.start.size()) - 1; ++i) {
+        for (int i = run.first; i < run.last; ++i) {
             seen.clear();
             for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
                 const auto& cell = cells[around.cell[s]];
@@ -157,34 +182,57 @@ std::vector<unsigned char> openFaces(const std::vector<Simplex<Dim>>& cells, con
     return open;
 }
 
-template <int Dim>
-std::vector<BoundaryFace<Dim>> listOf(const std::vector<Simplex<Dim>>& cells, const std::vector<unsigned char>& open) {
-    std::vector<BoundaryFace<Dim>> boundary;
+/// The open ones in the order of cells: Dim + 1 times the cell + corner.
+std::vector<int> listOf(const std::vector<unsigned char>& open) {
+    std::vector<int> list;
     for (int at = 0; at < static_cast<int>(open.size()); ++at)
-        if (open[at]) {
-            const int e = at / (Dim + 1), k = at % (Dim + 1);
-            boundary.push_back({oppositeFace<Dim>(cells[e], k), e, k});
-        }
+        if (open[at]) list.push_back(at);
+    return list;
+}
+
+template <int Dim>
+std::vector<BoundaryFace<Dim>> facesAt(const std::vector<Simplex<Dim>>& cells, const std::vector<int>& list) {
+    std::vector<BoundaryFace<Dim>> boundary;
+    for (const int at : list) {
+        const int e = at / (Dim + 1), k = at % (Dim + 1);
+        boundary.push_back({oppositeFace<Dim>(cells[e], k), e, k});
+    }
     return boundary;
+}
+
+/// Those that each rank has found in its run, which are of any cells.
+std::vector<int> openOfAll(const std::vector<unsigned char>& open, const Ranks& ranks) {
+    auto list = ranks.gather(listOf(open));
+    if (!ranks.isAlone()) std::sort(list.begin(), list.end());
+    return list;
 }
 
 }  // namespace
 
 template <int Dim>
 std::vector<BoundaryFace<Dim>> boundaryFaces(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around) {
-    return listOf<Dim>(cells, openFaces<Dim>(cells, around));
+    const Ranks alone;
+    return facesAt<Dim>(cells, listOf(openFaces<Dim>(cells, around, {alone, nodeRuns(alone, around)})));
+}
+
+template <int Dim>
+Surroundings<Dim> surroundings(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around, const Ranks& ranks) {
+    const auto ends = nodeRuns(ranks, around);
+    std::vector<unsigned char> open;  // in the plane an edge of one triangle alone is a face without a neighbour
+    auto ring = nodeToNodes<Dim>(cells, around, ranks, ends, open);
+    if (Dim != 2) open = openFaces<Dim>(cells, around, {ranks, ends});
+    return {std::move(ring), facesAt<Dim>(cells, openOfAll(open, ranks))};
 }
 
 template <int Dim>
 Surroundings<Dim> surroundings(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around) {
-    std::vector<unsigned char> open;  // in the plane an edge of one triangle alone is a face without a neighbour
-    auto ring = nodeToNodes<Dim>(cells, around, open);
-    return {std::move(ring), Dim == 2 ? listOf<Dim>(cells, open) : boundaryFaces<Dim>(cells, around)};
+    return surroundings<Dim>(cells, around, Ranks());
 }
 
 #define PFEM_INSTANTIATE(D)                                                                                     \
     template NodeToCells nodeToCells<D>(const std::vector<Simplex<D>>&, int);                                   \
     template std::vector<BoundaryFace<D>> boundaryFaces<D>(const std::vector<Simplex<D>>&, const NodeToCells&); \
+    template Surroundings<D> surroundings<D>(const std::vector<Simplex<D>>&, const NodeToCells&, const Ranks&); \
     template Surroundings<D> surroundings<D>(const std::vector<Simplex<D>>&, const NodeToCells&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)

@@ -9,6 +9,7 @@
 #include "mesh/contacts.hpp"
 #include "mesh/distance.hpp"
 #include "mesh/nearestOnFace.hpp"
+#include "mesh/sharedTopology.hpp"
 #include "mesh/simplex.hpp"
 #include "mesh/sortedFace.hpp"
 #include "mesh/wallBins.hpp"
@@ -169,13 +170,13 @@ void setWalls(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const 
 
 template <int Dim>
 Topology<Dim> makeTopology(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const Points<Dim>& x,
-                           const std::vector<Supports<Dim>>& wall) {
+                           const std::vector<Supports<Dim>>& wall, const Ranks& ranks) {
     const int nNodes = static_cast<int>(wall.size());
     Topology<Dim> t;
     t.kinds = kinds;
     t.fluid = nodeToCells<Dim>(mesh.fluid.nodes, nNodes);
     t.solid = nodeToCells<Dim>(mesh.solid.nodes, nNodes);
-    auto [ring, boundary] = surroundings<Dim>(mesh.fluid.nodes, t.fluid);
+    auto [ring, boundary] = surroundings<Dim>(mesh.fluid.nodes, t.fluid, ranks);
     t.ring = std::move(ring);
     t.onSolid.assign(nNodes, 0);
     t.wallPoint.assign(nNodes, 0);
@@ -198,6 +199,12 @@ Topology<Dim> makeTopology(const Mesh<Dim>& mesh, const std::vector<PatchKind>& 
 }
 
 template <int Dim>
+Topology<Dim> makeTopology(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const Points<Dim>& x,
+                           const std::vector<Supports<Dim>>& wall) {
+    return makeTopology<Dim>(mesh, kinds, x, wall, Ranks());
+}
+
+template <int Dim>
 Topology<Dim> withWalls(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const Points<Dim>& x,
                         const std::vector<Supports<Dim>>& wall, Topology<Dim> topology) {
     setWalls<Dim>(mesh, kinds, x, wall, touching, topology);
@@ -212,6 +219,8 @@ Topology<Dim> withContacts(const Mesh<Dim>& mesh, const std::vector<PatchKind>& 
 }
 
 #define PFEM_INSTANTIATE(D)                                                                               \
+    template Topology<D> makeTopology<D>(const Mesh<D>&, const std::vector<PatchKind>&, const Points<D>&, \
+                                         const std::vector<Supports<D>>&, const Ranks&);                  \
     template Topology<D> makeTopology<D>(const Mesh<D>&, const std::vector<PatchKind>&, const Points<D>&, \
                                          const std::vector<Supports<D>>&);                                \
     template Topology<D> withWalls<D>(const Mesh<D>&, const std::vector<PatchKind>&, const Points<D>&,    \

@@ -1,7 +1,5 @@
 #include "momentum/consistentMass.hpp"
 
-#include "base/parallel.hpp"
-
 namespace pfem {
 
 namespace {
@@ -18,7 +16,7 @@ Vec<Dim> sumOver(const Simplex<Dim>& cell, const Points<Dim>& u) {
 template <int Dim>
 void addMassDifference(const FluidPhase<Dim>& fluid, double factor, const Points<Dim>& u, Points<Dim>& y) {
     const NodeToCells& around = *fluid.domains.around;
-    parallelFor(fluid.domains.nNodes(), [&](int i) {
+    fluid.domains.share.forNodes(fluid.domains.nNodes(), [&](int i) {
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
             const int e = around.cell[s];
             const double mass = fluid.problem.fluid(fluid.cells.material[e]).rho * fluid.domains.element[e].measure;

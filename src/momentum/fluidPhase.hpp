@@ -18,15 +18,21 @@ struct FluidPhase {
     int waiting = 0;      // so many configurations are still passed over
     bool follows = true;  // are the domains in the configuration that came last?
 
-    /// As it is in `nodes`. The references must outlive the phase.
+    /// As it is in `nodes`, of a share. The references must outlive the phase.
     FluidPhase(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const NodeToCells& around, const Nodes<Dim>& nodes,
-               Integration scheme);
+               Integration scheme, const Share& share = {});
 
     /// The next configuration: the domains go to x, unless they wait.
     void moveTo(const Points<Dim>& x);
 
     /// Pass over the next `count` configurations.
     void wait(int count) { waiting = count; }
+
+    /// From now on domains and viscosity are those of a share alone.
+    void divide(const Share& share) { domains.share = share; }
+
+    /// The same with all domains, which are at x unless they wait, and their viscosity (collective).
+    FluidPhase whole(const Points<Dim>& x) const;
 
     /// The viscosity in the flow v, where it depends on it.
     void flow(const Points<Dim>& v);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/parallel.hpp"
 #include "integration/materialRuns.hpp"
 #include "material/viscosity.hpp"
 
@@ -30,7 +29,8 @@ FlowViscosity<Dim> flowViscosity(const Problem<Dim>& problem, const Cells<Dim>& 
         g.resize(n);
         pressure.resize(n);
     }
-    forMaterialRuns<Dim>(domains, cells, [&](int material, int first, int last) {
+    const Share share = depends ? domains.share : Share();  // cells at its rim ask for nodes beyond it
+    forMaterialRuns<Dim>(domains, share, cells, [&](int material, int first, int last) {
         const FluidLaw& law = *problem.fluid(material).law;
         if (!depends) {
             std::fill(result.mu.begin() + first, result.mu.begin() + last, law.viscosity(0, 0));
@@ -55,8 +55,7 @@ template <int Dim>
 PerCell<Tensor<Dim>> fluidTangentStress(const SmoothingDomains<Dim>& domains, const FlowViscosity<Dim>& viscosity,
                                         const Points<Dim>& dv, const PerPoint<double>& bulk) {
     auto stress = toPoints<Dim>(domains, elementGradient<Dim>(domains, dv));
-#pragma omp parallel for schedule(static) if (domains.nCells() > shortLoop)
-    for (int p = 0; p < nStressPoints<Dim>(domains); ++p) {
+    forPoints<Dim>(domains, [&](int p) {
         const Tensor<Dim> L = stress[p];
         stress[p] = viscousStress<Dim>(viscosity.mu[p], L);
         if (!viscosity.rate.empty()) {
@@ -65,7 +64,7 @@ PerCell<Tensor<Dim>> fluidTangentStress(const SmoothingDomains<Dim>& domains, co
             stress[p] += viscosity.softening[p] * rate.cwiseProduct(L).sum() * rate;
         }
         if (!bulk.empty()) stress[p] += bulk[p] * L.trace() * Tensor<Dim>::Identity();
-    }
+    });
     return fromPoints<Dim>(domains, std::move(stress));
 }
 
@@ -73,8 +72,7 @@ template <int Dim>
 Points<Dim> viscousForce(const SmoothingDomains<Dim>& domains, const PerPoint<double>& mu,
                          const VelocityGradients<Dim>& L) {
     PerPoint<Tensor<Dim>> stress(nStressPoints<Dim>(domains));
-    parallelFor(nStressPoints<Dim>(domains),
-                [&](int p) { stress[p] = viscousStress<Dim>(mu[p], atPoint<Dim>(domains, L, p)); });
+    forPoints<Dim>(domains, [&](int p) { stress[p] = viscousStress<Dim>(mu[p], atPoint<Dim>(domains, L, p)); });
     Points<Dim> force(domains.nNodes(), Vec<Dim>::Zero());
     addInternalForce<Dim>(domains, fromPoints<Dim>(domains, std::move(stress)), force);
     return force;
@@ -97,7 +95,7 @@ Points<Dim> zigzagForce(const Problem<Dim>& problem, const Cells<Dim>& cells, co
     const double g = problem.gravity.norm();
     if (damping == 0 || g == 0 || domains.nCells() == 0) return force;
     auto stress = elementMean<Dim>(domains, L.nodal);
-    parallelFor(domains.nCells(), [&](int e) {
+    domains.share.forCells(domains.nCells(), [&](int e) {
         const double size = cellMean<Dim>(domains, h, e);
         const double mu = damping * problem.fluid(cells.material[e]).rho * size * std::sqrt(g * size);
         const Tensor<Dim> zigzag = L.element[e] - stress[e];

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "base/parallel.hpp"
 #include "material/rigid.hpp"
 
 namespace pfem {
@@ -29,17 +28,16 @@ PerNode<double> fluidMass(const Problem<Dim>& problem, const Cells<Dim>& cells, 
     const auto isFluid = [](const Material& m) { return m.kind == MaterialKind::fluid; };
     if (std::count_if(problem.materials.begin(), problem.materials.end(), isFluid) == 1) {
         const double rho = firstFluid(problem.materials)->rho;
-        parallelFor(domains.nNodes(), [&](int i) { mass[i] = rho * domains.volume[i]; });
+        domains.share.forNodes(domains.nNodes(), [&](int i) { mass[i] = rho * domains.volume[i]; });
         return mass;
     }
-#pragma omp parallel for schedule(static) if (cells.size() > shortLoop)
-    for (int i = 0; i < domains.nNodes(); ++i) {
+    domains.share.forNodes(domains.nNodes(), [&](int i) {
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
             const int e = around.cell[s];
             mass[i] += problem.fluid(cells.material[e]).rho * domains.element[e].measure;
         }
         mass[i] /= Dim + 1;
-    }
+    });
     return mass;
 }
 

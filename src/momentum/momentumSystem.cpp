@@ -33,12 +33,13 @@ template <int Dim>
 PerNode<double> viscousDiagonal(const SmoothingDomains<Dim>& fluid, const PerCell<double>& cellMu) {
     PerNode<double> diagonal(fluid.nNodes(), 0.0);
     const NodeToCells& around = *fluid.around;
-    parallelFor(fluid.nNodes(), [&](int i) {
+    fluid.share.forNodes(fluid.nNodes(), [&](int i) {
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
             const auto& g = fluid.element[around.cell[s]];
             diagonal[i] += 2 * cellMu[around.cell[s]] * g.measure * g.gradN[around.corner[s]].squaredNorm();
         }
     });
+    fluid.share.gather(diagonal);
     return diagonal;
 }
 
@@ -232,6 +233,7 @@ void MomentumSystem<Dim>::addOfFluid(Points<Dim> u, Points<Dim>& force) const {
         addInternalForce<Dim>(fluid_.domains, fluidTangentStress<Dim>(fluid_.domains, fluid_.viscosity, u, bulk_),
                               force);
     if (isConsistent()) addMassDifference<Dim>(fluid_, massFactor_, u, force);
+    fluid_.domains.share.gather(force);
     handOver<Dim>(constraints_.riders, force);
 }
 

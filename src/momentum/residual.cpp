@@ -45,7 +45,7 @@ Points<Dim> viscousForces(const FluidPhase<Dim>& fluid, double waveDamping, cons
     const auto L = velocityGradients<Dim>(fluid.domains, nodes.v);
     auto force = viscousForce<Dim>(fluid.domains, fluid.viscosity.mu, L);
     const auto zigzag = zigzagForce<Dim>(fluid.problem, fluid.cells, fluid.domains, waveDamping, nodes.h, L);
-    parallelFor(nodes.size(), [&](int i) { force[i] += zigzag[i]; });
+    fluid.domains.share.forNodes(nodes.size(), [&](int i) { force[i] += zigzag[i]; });
     return force;
 }
 
@@ -54,7 +54,7 @@ Points<Dim> momentumResidual(const std::vector<double>& mass, const Nodes<Dim>& 
                              const SolidPhase<Dim>& solid, const Points<Dim>& external, double share) {
     const Vec<Dim>& gravity = fluid.problem.gravity;
     Points<Dim> R(nodes.size());
-    parallelFor(nodes.size(), [&](int i) { R[i] = mass[i] * (nodes.a[i] - gravity) - external[i]; });
+    fluid.domains.share.forNodes(nodes.size(), [&](int i) { R[i] = mass[i] * (nodes.a[i] - gravity) - external[i]; });
     addPressureForce<Dim>(fluid.domains, nodes.p, R);
     auto stress = solid.elementStress;
     for (auto& sigma : stress) sigma *= share;

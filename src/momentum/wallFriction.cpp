@@ -53,7 +53,7 @@ void addSideFriction(const Problem<Dim>& problem, const Cells<Dim>& fluid, const
                      const Points<Dim>& v, Points<Dim>& force) {
     if (problem.conditions.sideFriction == 0) return;
     const NodeToCells& around = *domains.around;
-    parallelFor(domains.nNodes(), [&](int i) {
+    domains.share.forNodes(domains.nNodes(), [&](int i) {
         if (around.count(i) == 0) return;
         const double rho = problem.fluid(fluid.material[around.cell[around.start[i]]]).rho;
         force[i] += domains.volume[i] * sideFriction<Dim>(problem, rho, v[i]);
@@ -65,7 +65,7 @@ void addDamping(const Problem<Dim>& problem, const Cells<Dim>& fluid, const Smoo
                 const Nodes<Dim>& nodes, Points<Dim>& force) {
     const NodeToCells& around = *domains.around;
     for (const auto& zone : problem.conditions.damping)
-        parallelFor(domains.nNodes(), [&](int i) {
+        domains.share.forNodes(domains.nNodes(), [&](int i) {
             if (around.count(i) == 0) return;
             const double rho = problem.fluid(fluid.material[around.cell[around.start[i]]]).rho;
             force[i] -= domains.volume[i] * rho * zone.at(nodes.x[i]) * (nodes.v[i] - zone.velocity);

@@ -41,6 +41,17 @@ private:
     MPI_Datatype type_ = MPI_DATATYPE_NULL;
 };
 
+/// `mine`: the values of this rank, or MPI_IN_PLACE where they stand in their place among `all`.
+void allGather(const void* mine, void* all, int rank, const std::vector<std::size_t>& ends, std::size_t bytes) {
+    const ValueType type(bytes);
+    std::vector<int> counts(ends.size()), starts(ends.size());
+    for (std::size_t r = 0; r < ends.size(); ++r) {
+        starts[r] = r == 0 ? 0 : static_cast<int>(ends[r - 1]);
+        counts[r] = static_cast<int>(ends[r]) - starts[r];
+    }
+    MPI_Allgatherv(mine, counts[rank], type.get(), all, counts.data(), starts.data(), type.get(), MPI_COMM_WORLD);
+}
+
 }  // namespace
 
 Ranks Ranks::all() {
@@ -70,13 +81,11 @@ std::vector<std::size_t> Ranks::endsOf(std::size_t mine) const {
 }
 
 void Ranks::gather(const void* mine, void* all, const std::vector<std::size_t>& ends, std::size_t bytes) const {
-    const ValueType type(bytes);
-    std::vector<int> counts(size_), starts(size_);
-    for (int rank = 0; rank < size_; ++rank) {
-        starts[rank] = rank == 0 ? 0 : static_cast<int>(ends[rank - 1]);
-        counts[rank] = static_cast<int>(ends[rank]) - starts[rank];
-    }
-    MPI_Allgatherv(mine, counts[rank_], type.get(), all, counts.data(), starts.data(), type.get(), MPI_COMM_WORLD);
+    allGather(mine, all, rank_, ends, bytes);
+}
+
+void Ranks::gatherInPlace(void* all, const std::vector<std::size_t>& ends, std::size_t bytes) const {
+    allGather(MPI_IN_PLACE, all, rank_, ends, bytes);
 }
 
 }  // namespace pfem

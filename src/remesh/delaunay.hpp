@@ -39,6 +39,8 @@ public:
     void follow(const Points<Dim>& points, const std::vector<Id>& ids, const std::vector<int>& active,
                 const std::vector<Face<Dim>>& fixed, const std::vector<Face<Dim>>& wished);
 
+    const Ranks& ranks() const { return ranks_; }
+
     /// Of the nPoints points followed last; to be asked for once.
     Triangulation<Dim> triangulation(int nPoints);
 

@@ -5,8 +5,16 @@
 namespace pfem {
 
 template <int Dim>
-MotionAccount<Dim>::MotionAccount(const State<Dim>& state) : volume_(cellVolume<Dim>(state)) {
+MotionAccount<Dim>::MotionAccount(const State<Dim>& state, const Ranks& ranks) : ranks_(ranks), volume_(volume(state)) {
     if (state.ledger.counting()) x_ = state.nodes.x;
+}
+
+/// As cellVolume.
+template <int Dim>
+double MotionAccount<Dim>::volume(const State<Dim>& state) const {
+    if (ranks_.isAlone()) return cellVolume<Dim>(state);
+    return ranks_.sum(nOwnCells<Dim>(state),
+                      [&](int e) { return simplexMeasure<Dim>(state.nodes.x, state.mesh.fluid.nodes[e]); });
 }
 
 template <int Dim>
@@ -29,7 +37,7 @@ template <int Dim>
 double MotionAccount<Dim>::change(VolumeCause cause, State<Dim>& state) {
     const auto& cells = state.mesh.fluid.nodes;
     const double before = volume_;
-    volume_ = cellVolume<Dim>(state);
+    volume_ = volume(state);
     if (x_.empty()) return volume_ - before;
     for (int e = 0; e < nOwnCells<Dim>(state); ++e) {
         const auto& cell = cells[e];

@@ -58,7 +58,7 @@ Motion<Dim> move(const Problem<Dim>& problem, const Problem<Dim>& within, const 
     Motion<Dim> motion;
     motion.dt = report.dt;
     const auto images = imagesOf<Dim>(state);
-    auto [topologyOfStep, constraints] = beginStep<Dim>(problem, report.dt, state);
+    auto [topologyOfStep, constraints] = beginStep<Dim>(problem, report.dt, state, controls.continuity.ranks);
     images.follow(state.nodes.v);
     images.follow(state.nodes.a);
     motion.topology = std::move(topologyOfStep);
@@ -68,7 +68,7 @@ Motion<Dim> move(const Problem<Dim>& problem, const Problem<Dim>& within, const 
         state.energy.book(EnergyCause::remeshing, fluidEnergy<Dim>(problem, state, mass).total() -
                                                       fluidEnergy<Dim>(problem, last, mass).total());
 
-    MotionAccount<Dim> account(state);
+    MotionAccount<Dim> account(state, controls.continuity.ranks);
     const double divTarget = volumeCorrection<Dim>(state, controls.continuity.volumeCorrectionTime, report.dt);
     const MidpointRule midpoint{report.dt, controls.timeIntegration.gamma};
     const auto nearby = [&] { return contactPairs<Dim>(within, state.mesh, topology, state.nodes, report.dt); };
@@ -87,7 +87,8 @@ Motion<Dim> move(const Problem<Dim>& problem, const Problem<Dim>& within, const 
                                         state.nodes, result.nodes, images.counted(motion.returned), mass) +
                           meniscusWork<Dim>(within, state.mesh.fluid, topology, state.nodes, result.nodes,
                                             controls.timeIntegration.gamma));
-    motion.compressed = compressedVolume<Dim>(problem, state.mesh.fluid, topology.fluid, result.nodes, state.nodes.p);
+    motion.compressed = compressedVolume<Dim>(problem, state.mesh.fluid, topology.fluid, result.nodes, state.nodes.p,
+                                              controls.continuity.ranks);
     motion.xOld = std::move(state.nodes.x);
     state.nodes = std::move(result.nodes);
     state.mesh.solid.sigma = std::move(result.cellSigma);

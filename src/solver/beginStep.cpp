@@ -4,6 +4,7 @@
 
 #include "conditions/rigidBodies.hpp"
 #include "mesh/contacts.hpp"
+#include "mesh/sharedTopology.hpp"
 
 namespace pfem {
 
@@ -48,10 +49,10 @@ NodeConstraints<Dim> constraintsOver(double from, double to, const Problem<Dim>&
 }
 
 template <int Dim>
-StepStart<Dim> beginStep(const Problem<Dim>& problem, double dt, State<Dim>& state) {
+StepStart<Dim> beginStep(const Problem<Dim>& problem, double dt, State<Dim>& state, const Ranks& ranks) {
     const auto& conditions = problem.conditions;
     StepStart<Dim> start;
-    start.topology = makeTopology<Dim>(state.mesh, conditions.kind, state.nodes.x, state.nodes.wall);
+    start.topology = makeTopology<Dim>(state.mesh, conditions.kind, state.nodes.x, state.nodes.wall, ranks);
     if (problem.contact.on)
         start.topology =
             withContacts<Dim>(state.mesh, conditions.kind, state.nodes.x, state.nodes.wall, std::move(start.topology));
@@ -65,7 +66,7 @@ StepStart<Dim> beginStep(const Problem<Dim>& problem, double dt, State<Dim>& sta
 #define PFEM_INSTANTIATE(D)                                                                            \
     template NodeConstraints<D> constraintsOver<D>(double, double, const Problem<D>&, const State<D>&, \
                                                    const Topology<D>&);                                \
-    template StepStart<D> beginStep<D>(const Problem<D>&, double, State<D>&);
+    template StepStart<D> beginStep<D>(const Problem<D>&, double, State<D>&, const Ranks&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

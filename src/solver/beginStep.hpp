@@ -16,8 +16,9 @@ struct StepStart {
     NodeConstraints<Dim> constraints;  // over the step
 };
 
-/// What a step of length dt [s] is about; the state gets velocities that its start allows.
+/// What a step of length dt [s] is about; the state gets velocities that its start allows. By ranks
+/// that share the work.
 template <int Dim>
-StepStart<Dim> beginStep(const Problem<Dim>& problem, double dt, State<Dim>& state);
+StepStart<Dim> beginStep(const Problem<Dim>& problem, double dt, State<Dim>& state, const Ranks& ranks = {});
 
 }  // namespace pfem

@@ -19,10 +19,10 @@ std::vector<double> viscousPressureScale(double scale, const Topology<Dim>& topo
 }  // namespace
 
 template <int Dim>
-ContinuitySystem<Dim> ContinuityEquation<Dim>::makeSystem(const Points<Dim>& x) const {
+ContinuitySystem<Dim> ContinuityEquation<Dim>::makeSystem(const FluidPhase<Dim>& fluid, const Points<Dim>& x) const {
     ContinuityControls controls = controls_.continuity;
     if (momentum_.isViscous()) controls.freeSurfaceScale *= 2;  // what mu div v adds to dp is not in the matrix
-    return {step_, controls, fluid_, stabilisation_, x, momentum_.solidBlock()};
+    return {step_, controls, fluid, stabilisation_, x, momentum_.solidBlock()};
 }
 
 template <int Dim>
@@ -32,22 +32,27 @@ ContinuityEquation<Dim>::ContinuityEquation(const Step<Dim>& step, const Control
       controls_(controls),
       fluid_(fluid),
       momentum_(momentum),
+      ownRows_(!fluid.domains.share.isWhole()),
       stabilisation_{stabilisation<Dim>(step.problem, fluid.cells, fluid.domains, fluid.mu, step.old.v, step.dt()),
                      projectedCells<Dim>(controls.continuity, step.problem, fluid.cells, step.topology, step.old)},
-      system_(makeSystem(step.old.x)),
+      system_(makeSystem(fluid, step.old.x)),
       viscousScale_(viscousPressureScale<Dim>(controls.continuity.viscousScale, step.topology)),
       acceleration_(controls.convergence.accelerationDepth) {}
 
 template <int Dim>
 std::vector<double> ContinuityEquation<Dim>::residual(const Trial<Dim>& trial) const {
-    return continuityResidual<Dim>(step_, controls_.continuity, fluid_, stabilisation_, trial);
+    auto R = continuityResidual<Dim>(step_, controls_.continuity, fluid_, stabilisation_, trial);
+    fluid_.domains.share.gather(R);
+    return R;
 }
 
 template <int Dim>
 std::vector<double> ContinuityEquation<Dim>::solve(const std::vector<double>& residual, const Trial<Dim>& trial) {
     if (iterations_ > 0 && iterations_ % controls_.convergence.refactorEvery == 0) {
         restart();
-        system_ = makeSystem(trial.middle.x);
+        const auto& x = trial.middle.x;
+        const bool asItIs = ownRows_ || fluid_.domains.share.isWhole();
+        system_ = asItIs ? makeSystem(fluid_, x) : makeSystem(fluid_.whole(x), x);
     }
     ++iterations_;
     auto dp = system_.solve(residual);

@@ -11,7 +11,8 @@ namespace pfem {
 template <int Dim>
 class ContinuityEquation {
 public:
-    /// With the fluid at x^n, where the matrix is made. The references must outlive the equation.
+    /// With the fluid at x^n, where the matrix is made: of a share (hasOwnRows) or all of it. The references must
+    /// outlive the equation.
     ContinuityEquation(const Step<Dim>& step, const Controls& controls, const FluidPhase<Dim>& fluid,
                        const MomentumEquation<Dim>& momentum);
 
@@ -30,12 +31,14 @@ public:
     void restart() { acceleration_.restart(); }
 
 private:
-    ContinuitySystem<Dim> makeSystem(const Points<Dim>& x) const;
+    /// `fluid`: with the domains that the matrix takes.
+    ContinuitySystem<Dim> makeSystem(const FluidPhase<Dim>& fluid, const Points<Dim>& x) const;
 
     const Step<Dim>& step_;
     const Controls& controls_;
     const FluidPhase<Dim>& fluid_;
     const MomentumEquation<Dim>& momentum_;
+    bool ownRows_;  // of its matrix this process makes a share alone
     Stabilisation stabilisation_;
     ContinuitySystem<Dim> system_;
     std::vector<double> viscousScale_;  // factor of mu div v in dp, per node

@@ -16,10 +16,10 @@ FlowDrive<Dim>::FlowDrive(const Step<Dim>& step, const FluidPhase<Dim>& fluid) :
 }
 
 template <int Dim>
-Vec<Dim> FlowDrive<Dim>::integral(const Points<Dim>& u) const {
+Vec<Dim> FlowDrive<Dim>::integral(const std::vector<double>& volumes, const Points<Dim>& u) const {
     Vec<Dim> sum = Vec<Dim>::Zero();
     for (int i = 0; i < fluid_.domains.nNodes(); ++i)
-        if (!step_.isImage(i)) sum += fluid_.domains.volume[i] * u[i];
+        if (!step_.isImage(i)) sum += volumes[i] * u[i];
     return sum;
 }
 
@@ -28,18 +28,20 @@ void FlowDrive<Dim>::hold(MomentumEquation<Dim>& momentum, Trial<Dim>& trial, Po
     if (directions_.empty()) return;
     if (answers_.empty())
         for (const int k : directions_) answers_.push_back(momentum.answer(Vec<Dim>::Unit(k)));
+    auto volumes = fluid_.domains.volume;
+    fluid_.domains.share.gather(volumes);
     double volume = 0;
     for (int i = 0; i < fluid_.domains.nNodes(); ++i)
-        if (!step_.isImage(i)) volume += fluid_.domains.volume[i];
+        if (!step_.isImage(i)) volume += volumes[i];
     if (volume == 0) return;
     const double end = step_.problem.time + (1 - step_.gamma()) * step_.dt();
     const Vec<Dim> missing = step_.problem.flow->template integral<Dim>(step_.problem.period, volume, end) -
-                             integral(trial.end.v) - integral(dv);
+                             integral(volumes, trial.end.v) - integral(volumes, dv);
     const int n = static_cast<int>(directions_.size());
     Eigen::MatrixXd gain(n, n);
     Eigen::VectorXd wanted(n);
     for (int a = 0; a < n; ++a) {
-        const Vec<Dim> ofAnswer = integral(answers_[a]);
+        const Vec<Dim> ofAnswer = integral(volumes, answers_[a]);
         for (int b = 0; b < n; ++b) gain(b, a) = ofAnswer[directions_[b]];
         wanted[a] = missing[directions_[a]];
     }

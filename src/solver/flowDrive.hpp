@@ -20,8 +20,8 @@ public:
     void hold(MomentumEquation<Dim>& momentum, Trial<Dim>& trial, Points<Dim>& dv);
 
 private:
-    /// sum_J Omega_J u_J of the nodes that are no images.
-    Vec<Dim> integral(const Points<Dim>& u) const;
+    /// sum_J Omega_J u_J of the nodes that are no images; `volumes`: Omega_J.
+    Vec<Dim> integral(const std::vector<double>& volumes, const Points<Dim>& u) const;
 
     const Step<Dim>& step_;
     const FluidPhase<Dim>& fluid_;

@@ -6,6 +6,7 @@
 #include "solver/flowDrive.hpp"
 #include "solver/momentumEquation.hpp"
 #include "solver/scales.hpp"
+#include "solver/shares.hpp"
 #include "solver/stepChecks.hpp"
 
 namespace pfem {
@@ -29,7 +30,9 @@ template <int Dim>
 StepResult<Dim> iterate(const Step<Dim>& step, const Controls& controls, Trial<Dim>& trial) {
     const Integration scheme = controls.integration.scheme();
     const Nodes<Dim>& old = step.old;
-    FluidPhase<Dim> fluid(step.problem, step.mesh, step.topology.fluid, old, scheme);
+    const Share share = shareOf<Dim>(controls, step.mesh.fluid.nodes, step.topology.fluid);
+    const bool ownRows = !share.isWhole() && hasOwnRows<Dim>(step, controls.continuity) && controls.momentum.theta == 0;
+    FluidPhase<Dim> fluid(step.problem, step.mesh, step.topology.fluid, old, scheme, ownRows ? share : Share());
     SolidPhase<Dim> solid(step.problem, controls.solid, step.mesh, step.topology.solid, old, scheme);
     MomentumEquation<Dim> momentum(step, controls, fluid, solid);
     ContinuityEquation<Dim> continuity(step, controls, fluid, momentum);
@@ -40,6 +43,7 @@ StepResult<Dim> iterate(const Step<Dim>& step, const Controls& controls, Trial<D
     StepReport report;
     std::vector<double> dp;
     if (collapses<Dim>(fluid, trial.end.x)) fluid.wait(2);  // at x^n until there is a second velocity
+    fluid.divide(share);
     fluid.moveTo(trial.middle.x);
     for (bool converged = false; !converged;) {
         if (report.iterations == controls.convergence.maxIterations)

@@ -12,6 +12,13 @@
 namespace pfem {
 
 template <int Dim>
+std::vector<double> MomentumEquation<Dim>::wholeMass() const {
+    auto mass = nodalMass<Dim>(fluid_, solid_);
+    fluid_.domains.share.gather(mass);
+    return mass;
+}
+
+template <int Dim>
 MomentumSystem<Dim> MomentumEquation<Dim>::makeSystem(const Controls& controls) const {
     const auto diagonal = inertia();
     SolidBlock<Dim> block;
@@ -33,7 +40,7 @@ MomentumEquation<Dim>::MomentumEquation(const Step<Dim>& step, const Controls& c
       tolerance_(controls.convergence.tolU),
       solidForceOld_(step.old.size(), Vec<Dim>::Zero()),
       stiffness_(surfaceStiffness<Dim>(step.problem, step.mesh.fluid, step.topology, step.old.x, step.midpoint)),
-      mass_(nodalMass<Dim>(fluid, solid)),
+      mass_(wholeMass()),
       system_(makeSystem(controls)),
       contact_(step.contacts ? *step.contacts : std::vector<ContactPair<Dim>>(), step.dt(),
                step.problem.contact.friction) {
@@ -45,7 +52,7 @@ Points<Dim> MomentumEquation<Dim>::residual(const Trial<Dim>& trial, double chan
     const int n = trial.end.size();
     const double gamma = step_.gamma();
     if (!fluid_.newtonian) system_.updateViscosity();
-    mass_ = nodalMass<Dim>(fluid_, solid_);
+    mass_ = wholeMass();
     const double damped =
         2 * waveDamping_ * step_.dt() * std::sqrt(step_.problem.gravity.norm() / meanSize<Dim>(step_.old));
     if (viscous_.empty() || std::max(system_.viscousNumber(), damped) * change > 0.1 * tolerance_)
@@ -56,6 +63,7 @@ Points<Dim> MomentumEquation<Dim>::residual(const Trial<Dim>& trial, double chan
         parallelFor(n, [&](int i) { external[i] += (mass_[i] - solid_.mass[i]) * trial.drive; });
     auto R = momentumResidual<Dim>(mass_, trial.middle, fluid_, solid_, external, gamma);
     if (fluidMass_ == FluidMass::consistent) addMassDifference<Dim>(fluid_, 1, trial.middle.a, R);
+    fluid_.domains.share.gather(R);
     addRigidInertia<Dim>(step_, trial, R);
     setLevers<Dim>(step_, trial, system_.solidDofs());
     parallelFor(n, [&](int i) { R[i] /= gamma; });

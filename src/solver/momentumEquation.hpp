@@ -44,6 +44,7 @@ public:
 private:
     Points<Dim> inertia() const { return matrixInertia<Dim>(mass_, stiffness_, step_.midpoint); }
     MomentumSystem<Dim> makeSystem(const Controls& controls) const;
+    std::vector<double> wholeMass() const;  // of all nodes, also where a share of them is worked off
 
     const Step<Dim>& step_;
     const FluidPhase<Dim>& fluid_;

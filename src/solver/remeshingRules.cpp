@@ -209,7 +209,7 @@ template <int Dim>
 RemeshingOutcome<Dim> runRules(const std::vector<RemeshingRule<Dim>>& rules, const RemeshingContext<Dim>& context,
                                State<Dim>& state) {
     RemeshingOutcome<Dim> outcome;
-    MotionAccount<Dim> account(state);
+    MotionAccount<Dim> account(state, context.triangulator.ranks());
     const auto total = [&] { return fluidEnergy<Dim>(context.problem, state, context.mass).total(); };
     const double energy = total();
     const auto sides = sidesOf<Dim>(context.problem, state);

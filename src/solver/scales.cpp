@@ -11,14 +11,29 @@ namespace pfem {
 
 namespace {
 
-/// Root mean square of 2 mu |d| over the cells.
+/// Root mean square of 2 mu |d| over the cells, of the flow v at x.
 template <int Dim>
-double viscousStressScale(const FluidPhase<Dim>& fluid, const Points<Dim>& v) {
-    const auto L = elementGradient<Dim>(fluid.domains, v);
-    const int n = fluid.domains.nCells();
+double viscousStressScale(const FluidPhase<Dim>& fluid, const Points<Dim>& x, const Points<Dim>& v) {
+    const SmoothingDomains<Dim>& domains = fluid.domains;
+    const int n = domains.nCells();
+    if (n == 0) return 0;
+    const auto square = [&](const SimplexGeometry<Dim>& element, int e, double mu) {
+        const Tensor<Dim> L = gradientIn<Dim>(element, domains.cell(e), v);
+        return mu * mu * (L + L.transpose()).squaredNorm();
+    };
+    const Share& share = domains.share;
+    if (share.isWhole())
+        return std::sqrt(parallelSum(n, [&](int e) { return square(domains.element[e], e, fluid.mu[e]); }) / n);
+    auto mu = fluid.viscosity.mu.values();  // of nodes
+    share.gather(mu);
+    const auto mean = [&](int e) {  // as elementMean
+        double sum = mu[domains.cell(e)[0]];
+        for (int k = 1; k <= Dim; ++k) sum += mu[domains.cell(e)[k]];
+        return sum / (Dim + 1);
+    };
     const double sum =
-        parallelSum(n, [&](int e) { return fluid.mu[e] * fluid.mu[e] * (L[e] + L[e].transpose()).squaredNorm(); });
-    return n > 0 ? std::sqrt(sum / n) : 0;
+        share.sum(n, [&](int e) { return square(simplexGeometry<Dim>(x, domains.cell(e)), e, mean(e)); });
+    return std::sqrt(sum / n);
 }
 
 /// The largest coordinate.
@@ -82,7 +97,7 @@ double pressureScale(const Step<Dim>& step, const FluidPhase<Dim>& fluid, double
     for (int material : step.mesh.fluid.material) rho = std::max(rho, step.problem.fluid(material).rho);
     const double v = rms<Dim>(step.old.v);
     return rho * (step.problem.gravity.norm() * h + 1e-6 * v * v + roundOff * v * h + unseen * h / dt) +
-           viscousStressScale<Dim>(fluid, step.old.v);
+           viscousStressScale<Dim>(fluid, step.old.x, step.old.v);
 }
 
 #define PFEM_INSTANTIATE(D)                           \

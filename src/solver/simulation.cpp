@@ -19,7 +19,7 @@ void Simulation<Dim>::start(double dt) {
                         state.nodes);
     if (problem.period.any())
         state = unfolded<Dim>(sidesOf<Dim>(problem, state), joinedAtSides<Dim>(problem, controls.remeshing, state));
-    const auto topology = beginStep<Dim>(problem, 0, state).topology;
+    const auto topology = beginStep<Dim>(problem, 0, state, controls.continuity.ranks).topology;
     const auto sides = sidesOf<Dim>(problem, state);
     keepImages<Dim>(sides, state);
     const auto over = [&](double from, double to) { return constraintsOver<Dim>(from, to, problem, state, topology); };

@@ -7,8 +7,6 @@
 #include <limits>
 #include <tuple>
 
-#include "base/parallel.hpp"
-
 namespace pfem {
 
 template <int Dim>
@@ -18,7 +16,7 @@ bool collapses(const FluidPhase<Dim>& phase, const Points<Dim>& x) {
         return sliverFactor<Dim>(fluid.element[e]) == 1 &&
                simplexMeasure<Dim>(x, fluid.cell(e)) < 0.2 * fluid.element[e].measure;
     };
-    return parallelFirst(fluid.nCells(), collapsing) < fluid.nCells();
+    return fluid.share.firstCell(fluid.nCells(), collapsing) < fluid.nCells();
 }
 
 template <int Dim>
@@ -29,10 +27,13 @@ void checkDomains(const FluidPhase<Dim>& fluidPhase, const SolidPhase<Dim>& soli
         if (!(solid.element[e].measure > 0))
             throw StepFailure("solid element inverted at " + place(simplexCentroid<Dim>(nodes.x, solid.cell(e))),
                               idsOf<Dim>(nodes, solid.cell(e)));
-    for (int i = 0; i < fluid.nNodes(); ++i)
-        if (fluid.around->count(i) > 0 && !(fluid.volume[i] > 0))
-            throw StepFailure(fmt::format("fluid patch of node {} inverted at {}", nodes.id[i], place(nodes.x[i])),
-                              {nodes.id[i]});
+    const auto inverted = [&, &domains = fluid](int i) {
+        return domains.around->count(i) > 0 && !(domains.volume[i] > 0);
+    };
+    const int i = fluid.share.firstNode(fluid.nNodes(), inverted);
+    if (i < fluid.nNodes())
+        throw StepFailure(fmt::format("fluid patch of node {} inverted at {}", nodes.id[i], place(nodes.x[i])),
+                          {nodes.id[i]});
 }
 
 template <int Dim>
@@ -45,13 +46,14 @@ StepFailure notConverged(const StepReport& report, const std::vector<double>& dp
         std::max_element(dp.begin(), dp.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
     if (worst == dp.end() || *worst == 0) return StepFailure(text);
     const int i = static_cast<int>(worst - dp.begin());
-    double least = std::numeric_limits<double>::max();
+    std::vector<double> least(nodes.size(), std::numeric_limits<double>::max());  // whose rank sees the cells
     for (int s = around.start[i]; s < around.start[i + 1]; ++s)
-        least = std::min(least, fluid.element[around.cell[s]].measure);
+        least[i] = std::min(least[i], fluid.element[around.cell[s]].measure);
+    fluid.share.gather(least);
     return StepFailure(
         text + fmt::format("; worst at {}, node {} with {} {}, smallest {:.3g} h^{}", placeText<Dim>(nodes.x[i]),
                            nodes.id[i], around.count(i), Dim == 2 ? "triangles" : "tetrahedra",
-                           least / std::pow(nodes.h[i], Dim), Dim),
+                           least[i] / std::pow(nodes.h[i], Dim), Dim),
         {nodes.id[i]});
 }
 

@@ -267,3 +267,32 @@ TEST(Saddle, eliminatesDiagonalVelocities) {
         }
     EXPECT_LT((found - expected).norm(), 1e-13 * expected.norm());
 }
+
+/// A rank has its own rows from the columns that they meet: the others' are not made.
+TEST(Saddle, eliminatesInSomeRowsAlone) {
+    const Sample s = cube(5, 0.3, 1);
+    const int nP = s.sizes.nPressures, first = nP / 3, last = nP / 2;
+    const SparseRows whole = eliminateDiagonal(split(s.A, s.sizes));
+    std::vector<unsigned char> isMet(nP, 0);
+    for (int k = whole.start[first]; k < whole.start[last]; ++k) isMet[whole.column[k]] = 1;
+    ASSERT_LT(std::count(isMet.begin(), isMet.end(), 1), nP);
+    SymmetricMatrix A;
+    A.n = s.A.n;
+    A.start = {0};
+    for (int j = 0; j < A.n; ++j) {
+        for (int k = s.A.start[j]; k < s.A.start[j + 1] && (j >= nP || isMet[j]); ++k) {
+            A.row.push_back(s.A.row[k]);
+            A.value.push_back(s.A.value[k]);
+        }
+        A.start.push_back(static_cast<int>(A.row.size()));
+    }
+    const SparseRows rows = eliminateDiagonal(split(A, s.sizes), first, last);
+    ASSERT_EQ(rows.n(), last - first);
+    for (int i = 0; i < rows.n(); ++i) {
+        const auto row = [](const SparseRows& of, int r) {
+            return std::pair(std::vector<int>(of.column.begin() + of.start[r], of.column.begin() + of.start[r + 1]),
+                             std::vector<double>(of.value.begin() + of.start[r], of.value.begin() + of.start[r + 1]));
+        };
+        EXPECT_EQ(row(rows, i), row(whole, first + i)) << i;
+    }
+}
