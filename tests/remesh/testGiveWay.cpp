@@ -4,11 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 #include "remesh/lostVolume.hpp"
 #include "support/cases.hpp"
-#include "support/cases3.hpp"
 
 using namespace pfem;
 using namespace pfem::test;
@@ -173,71 +170,6 @@ TEST(GiveWay, noCellBecomesSmall) {
             EXPECT_GE(after, std::min(before, 0.1 * t.h * t.h));
         }
         EXPECT_NEAR(x[i][1], depth < 0.25 ? 0.5 : 0.5 - 0.05 * t.h, 1e-15);
-    }
-}
-
-// In space rows of cells are many: what a node at the floor lacks is made up for above it, in one step.
-TEST(GiveWay, whatIsLostDeepDownComesUpAtOnce) {
-    constexpr double h = 0.1, depth = 0.5;
-    for (const double lack : {8e-5, -8e-5}) {
-        TestCase3 c = boxOfWater({1.6, 0.5, depth}, {1.6, 0.5, 1}, h, "slip", 1e-3, 0.1);
-        c.state.nodes.lostVolume.assign(c.state.nodes.size(), 0.0);
-        auto& nodes = c.state.nodes;
-        const Vec<3> place(0.6, 0.2, 0);
-        const auto topology = c.topology();
-        const auto at = std::min_element(nodes.x.begin(), nodes.x.end(), [&](const Vec<3>& a, const Vec<3>& b) {
-            return (a - place).squaredNorm() < (b - place).squaredNorm();
-        });
-        nodes.lostVolume[at - nodes.x.begin()] = lack;
-        const Points<3> x = nodes.x;
-        const double before = cellVolume<3>(c.state);
-        shiftSurface<3>(c.controls.remeshing, topology, std::vector<double>(nodes.size(), 0.0), 1, c.state);
-        EXPECT_NEAR(cellVolume<3>(c.state) - before, lack, 0.02 * std::abs(lack));
-        double sum = 0, rise = 0, moment = 0;
-        for (int i = 0; i < nodes.size(); ++i) {
-            sum += nodes.lostVolume[i];
-            if (!topology.freeSurface[i]) {
-                EXPECT_EQ(nodes.lostVolume[i], 0) << i;
-            }
-            rise += nodes.x[i][2] - x[i][2];
-            moment += (nodes.x[i][2] - x[i][2]) * (x[i][0] - place[0]);
-        }
-        EXPECT_NEAR(sum, lack, 1e-12 * std::abs(lack));
-        EXPECT_NEAR(moment / rise, 0.5 * depth, 0.5 * h);  // all diagonals of the lattice lean that way
-    }
-}
-
-// In space a node that may not move so far, or cannot, is helped by those around it in the same step.
-TEST(GiveWay, neighboursBringWhatANodeCannot) {
-    constexpr double h = 0.1;
-    for (const bool stuck : {false, true}) {
-        TestCase3 c = boxOfWater({1.2, 0.8, 0.3}, {1.2, 0.8, 0.6}, h, "slip", 1e-3, 0.1);
-        auto& nodes = c.state.nodes;
-        nodes.lostVolume.assign(nodes.size(), 0.0);
-        const Vec<3> place(0.6, 0.4, 0.3);
-        const auto nearest = [&](const Vec<3>& to) {
-            const auto at = std::min_element(nodes.x.begin(), nodes.x.end(), [&](const auto& a, const auto& b) {
-                return (a - to).squaredNorm() < (b - to).squaredNorm();
-            });
-            return static_cast<int>(at - nodes.x.begin());
-        };
-        const int i = nearest(place);
-        if (stuck) nodes.x[nearest(place - Vec<3>(0, 0, h))] = place - Vec<3>(0, 0, 0.01 * h);  // flat cells below it
-        const auto topology = c.topology();
-        const double limit = c.controls.remeshing.surfaceShift * h;
-        const double gained = 4 * limit * h * h;  // four times what the node itself may bring
-        nodes.lostVolume[i] = -gained;
-        const Points<3> x = nodes.x;
-        const double before = cellVolume<3>(c.state);
-        shiftSurface<3>(c.controls.remeshing, topology, std::vector<double>(nodes.size(), 0.0), 1, c.state);
-        EXPECT_NEAR(cellVolume<3>(c.state) - before, -gained, 0.03 * gained) << stuck;
-        EXPECT_NEAR(std::accumulate(nodes.lostVolume.begin(), nodes.lostVolume.end(), 0.0), -gained, 1e-12 * gained);
-        for (int j = 0; j < nodes.size(); ++j) EXPECT_LE((nodes.x[j] - x[j]).norm(), limit * (1 + 1e-9)) << j;
-        EXPECT_EQ(nodes.x[i] == x[i], stuck);
-        for (const auto& cell : c.state.mesh.fluid.nodes) {
-            const double was = simplexMeasure<3>(x, cell);
-            EXPECT_GE(simplexMeasure<3>(nodes.x, cell), std::min(0.5 * was, was));
-        }
     }
 }
 
