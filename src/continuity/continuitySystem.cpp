@@ -9,6 +9,7 @@
 #include "linear/multigridSolver.hpp"
 #include "linear/saddle.hpp"
 #include "linear/solvers.hpp"
+#include "momentum/fluidStress.hpp"
 #include "momentum/surfaceStiffness.hpp"
 
 namespace pfem {
@@ -342,8 +343,8 @@ std::unique_ptr<SymmetricSolver> makeSolver(const ContinuityControls& controls, 
 template <int Dim>
 bool hasOwnRows(const Step<Dim>& step, const ContinuityControls& controls) {
     if (step.images || step.mesh.solid.size() > 0 || !step.constraints.bodies.empty() ||
-        !step.constraints.riders.empty())
-        return false;
+        !step.constraints.riders.empty() || !isNewtonian<Dim>(step.problem))
+        return false;  // whatever takes more than the cells around a node's neighbours
     const bool strong = controls.freeSurfacePressure == "strong";
     return byMultigrid<Dim>(controls, numberUnknowns<Dim>(step, {}, strong, 0).nPressure, 0);
 }

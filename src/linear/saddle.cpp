@@ -126,7 +126,10 @@ Saddle split(const SymmetricMatrix& A, const SaddleSizes& sizes) {
         });
     };
     parallelInvoke(A.n, splitPressures, splitVelocities);
-    for (int q = nP; q < A.n; ++q) saddle.inverse.push_back(-1 / A.value[A.start[q]]);
+    for (int q = nP; q < A.n; ++q) {
+        const double d = A.value[A.start[q]];
+        saddle.inverse.push_back(d == 0 ? 0 : -1 / d);  // zero: a velocity whose cells are another rank's
+    }
     return saddle;
 }
 
