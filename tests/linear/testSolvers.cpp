@@ -10,6 +10,7 @@
 #include "linear/dissectedLdlt.hpp"
 #include "linear/ldlt.hpp"
 #include "linear/oracles.hpp"
+#include "linear/solvers.hpp"
 
 using namespace pfem;
 
@@ -120,6 +121,25 @@ TEST(SymmetricSolver, singlePrecision) {
     EXPECT_GT(kept, 1e-9);
     EXPECT_LT(throughout, 1e-5);
     EXPECT_GT(throughout, 1e-9);
+}
+
+// Rounding errors grow with the ratio of stiffness to inertia: only below 1000 is the factor computed in single
+// precision.
+TEST(SymmetricSolver, stiffSolidsAreFactoredInDoublePrecision) {
+    const Sample sample = square(40, 500);
+    Places<3> place;
+    for (const auto& at : sample.place) place.emplace_back(at[0], at[1], 0);
+    const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(sample.A.n, 0, 40).array().cos();
+    const auto solution = [&](auto solver) {
+        solver->analyse(sample.A);
+        solver->factor(sample.A);
+        return Eigen::VectorXd(solver->solve(b));
+    };
+    const auto kept = solution(dissectedSolver<3>(sample.A, place, Precision::single)),
+               throughout = solution(dissectedSolver<3>(sample.A, place, Precision::singleThroughout));
+    EXPECT_NE(kept, throughout);
+    EXPECT_EQ(solution(elasticSolver<3>(sample.A, place, 999)), throughout);
+    EXPECT_EQ(solution(elasticSolver<3>(sample.A, place, 1001)), kept);
 }
 
 TEST(SymmetricSolver, newValuesOnTheSamePattern) {
