@@ -56,7 +56,7 @@ Simulation<Dim> readSimulation(const Case& theCase, const TimeControl& clock) {
         std::cout << sharedPlacesText<Dim>(simulation.problem.conditions, simulation.problem.contact.on,
                                            simulation.state);
     simulation.controls = readControls(theCase);
-    checkLaws<Dim>(simulation.problem, simulation.state.mesh, simulation.controls.integration);
+    checkLaws<Dim>(simulation.problem, simulation.state.mesh, simulation.controls.solidScheme());
     simulation.nextTime = [&clock](const TimeInfo& time, double dt) { return clock.advance(time, dt); };
     return simulation;
 }

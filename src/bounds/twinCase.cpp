@@ -49,6 +49,9 @@ double meshSizeOf(const Case& theCase) { return Dictionary::read(theCase.system(
 
 void prepareTwin(const Case& theCase, const TwinCase& twin, std::optional<double> endTime, bool overwrite) {
     CaseCopy copy{twin.root, {{"system/pfemSolution", {"integration"}, twin.integration}}, {}};
+    if (const auto file = theCase.system("pfemSolution");
+        fs::exists(file) && Dictionary::read(file).subDictOrEmpty("solid").found("integration"))
+        copy.changes.push_back({"system/pfemSolution", {"solid", "integration"}, "asFluid"});
     if (endTime) copy.changes.push_back({"system/controlDict", {"endTime"}, fmt::format("{}", *endTime)});
     makeCopy(theCase, copy, overwrite ? Copying::overwrite : Copying::keep);
 }

@@ -28,7 +28,7 @@ std::vector<double> sizesIn(const std::filesystem::path& folder);
 double meshSizeOf(const Case& theCase);
 
 /// Write constant/ and system/ of the twin (study/caseCopy.hpp): those of the case with
-///     pfemSolution    integration <nodal|elemental>;
+///     pfemSolution    integration <nodal|elemental>; solids as the fluid
 ///     controlDict     startFrom latestTime;  and endTime where it is given.
 /// A twin that has results must have been made from the same dictionaries (controlDict may change): else
 /// UserError which names the file; with `overwrite` its folder is removed first.

@@ -42,9 +42,8 @@ template <int Dim>
 Balance<Dim> balanceOf(const Problem<Dim>& problem, const Controls& controls, const State<Dim>& state) {
     const auto& [mesh, nodes] = std::tie(state.mesh, state.nodes);
     const auto topology = makeTopology<Dim>(mesh, problem.conditions.kind, nodes.x, nodes.wall);
-    const Integration scheme = controls.integration.scheme();
-    const FluidPhase<Dim> fluid(problem, mesh, topology.fluid, nodes, scheme);
-    const SolidPhase<Dim> solid(problem, controls.solid, mesh, topology.solid, nodes, scheme);
+    const FluidPhase<Dim> fluid(problem, mesh, topology.fluid, nodes, controls.fluidScheme());
+    const SolidPhase<Dim> solid(problem, controls.solid, mesh, topology.solid, nodes, controls.solidScheme());
     auto external = externalForce<Dim>(mesh, topology, fluid, nodes);
     const auto viscous = viscousForces<Dim>(fluid, controls.momentum.waveDamping, nodes);
     for (int i = 0; i < nodes.size(); ++i) external[i] -= viscous[i];

@@ -102,7 +102,7 @@ MomentumRates momentumRates(const Problem<Dim>& problemOfRun, const Controls& co
     MomentumRates rates;
     addFlows<Dim>(problem, state, volume, w, rates);
     addWalls<Dim>(problem, state, topology, volume, w, rates);
-    const FluidPhase<Dim> fluid(problem, mesh, topology.fluid, nodes, controls.integration.scheme());
+    const FluidPhase<Dim> fluid(problem, mesh, topology.fluid, nodes, controls.fluidScheme());
     const auto viscous = viscousForces<Dim>(fluid, controls.momentum.waveDamping, nodes);
     Points<Dim> around(nodes.size(), Vec<Dim>::Zero());
     addSideFriction<Dim>(problem, mesh.fluid, fluid.domains, nodes.v, around);

@@ -77,7 +77,7 @@ double elasticEnergy(const Problem<Dim>& problem, const Controls& controls, cons
     const auto& nodes = state.nodes;
     const auto& cells = state.mesh.solid;
     const auto around = nodeToCells<Dim>(cells.nodes, nodes.size());
-    auto domains = makeSmoothingDomains<Dim>(cells.nodes, around, nodes.x, controls.integration.scheme());
+    auto domains = makeSmoothingDomains<Dim>(cells.nodes, around, nodes.x, controls.solidScheme());
     updateGradientDomains<Dim>(problem, cells, nodes, nodes, domains);
     const auto F = toPoints<Dim>(domains, elementGradient<Dim>(domains, nodes.x));
     const auto sigma = storedAtPoints<Dim>(domains, nodes.sigma, cells.sigma);
@@ -139,14 +139,14 @@ EnergyPowers energyPowers(const Problem<Dim>& problem, const Controls& controls,
     const auto& mesh = state.mesh;
     EnergyPowers powers;
     const auto aroundFluid = nodeToCells<Dim>(mesh.fluid.nodes, nodes.size());
-    const auto fluid = makeSmoothingDomains<Dim>(mesh.fluid.nodes, aroundFluid, nodes.x, controls.integration.scheme());
+    const auto fluid = makeSmoothingDomains<Dim>(mesh.fluid.nodes, aroundFluid, nodes.x, controls.fluidScheme());
     const auto mu = flowViscosity<Dim>(problem, mesh.fluid, fluid, nodes.v, nodes.p).mu;
     powers.viscous = contraction<Dim>(fluid, fluidTangentStress<Dim>(fluid, {mu, {}, {}}, nodes.v, {}),
                                       elementGradient<Dim>(fluid, nodes.v));
 
     // with stress zero what is left of the solid's element stress is the damper's
     const auto aroundSolid = nodeToCells<Dim>(mesh.solid.nodes, nodes.size());
-    const auto solid = makeSmoothingDomains<Dim>(mesh.solid.nodes, aroundSolid, nodes.x, controls.integration.scheme());
+    const auto solid = makeSmoothingDomains<Dim>(mesh.solid.nodes, aroundSolid, nodes.x, controls.solidScheme());
     const SolidStress<Dim> none{PerPoint<Stress<Dim>>(nStressPoints<Dim>(solid), Stress<Dim>::Zero()), {}, {}};
     powers.damper = contraction<Dim>(
         solid, solidElementStress<Dim>({problem, controls.solid, mesh.solid}, solid, solid, none, nodes),

@@ -8,18 +8,22 @@
 
 namespace pfem {
 
+inline Integration schemeNamed(const std::string& word) {
+    return word == "nodal" ? Integration::nodal : Integration::elemental;
+}
+
 /// At the top of system/pfemSolution.
 struct IntegrationControls {
     std::string integration = "nodal";
 
-    Integration scheme() const { return integration == "nodal" ? Integration::nodal : Integration::elemental; }
+    Integration scheme() const { return schemeNamed(integration); }
 
     template <class Visitor>
     void entries(Visitor& v) {
         v("integration", integration, "-",
           "where fluids and solids have their stress: nodal (in domains of nodes; solids rather too soft) or elemental "
           "(in "
-          "triangles; solids rather too stiff)",
+          "triangles; solids rather too stiff). For solids `solid` may say another",
           oneOf({"nodal", "elemental"}));
     }
 };
@@ -87,8 +91,14 @@ struct SolidControls {
     std::string formulation = "velocity";
     double damping = 0.1;
     std::string stressUpdate = "rotatedMidpoint";  // read for old cases: see solver/formerEntries.hpp
+    std::string integration = "asFluid";
 
     bool withPressure() const { return formulation == "velocityPressure"; }
+
+    /// Of solids, where fluids have `ofFluid`.
+    Integration scheme(Integration ofFluid) const {
+        return integration == "asFluid" ? ofFluid : schemeNamed(integration);
+    }
 
     template <class Visitor>
     void entries(Visitor& v) {
@@ -101,6 +111,9 @@ struct SolidControls {
           "former place of the law, which stands in constant/materials: paper is type hypoelasticPaper there, "
           "neoHookean type neoHookean; still understood, with a warning",
           oneOf({"rotatedMidpoint", "paper", "neoHookean"}));
+        v("integration", integration, "-",
+          "where solids have their stress: asFluid (as `integration` above says), nodal or elemental",
+          oneOf({"asFluid", "nodal", "elemental"}));
         v("damping", damping, "-", "alpha of the zig-zag damper, tau_s = alpha h sqrt(rho/E)", nonNegative);
     }
 };

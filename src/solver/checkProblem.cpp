@@ -57,7 +57,7 @@ std::vector<PatchRole> patchRoles(const State<Dim>& state) {
     return roles;
 }
 
-/// An inlet that pushes water at rest at once, with an elastic solid in it; "" without.
+/// An inlet that pushes water at rest at once, now or when it starts, with an elastic solid in it; "" without.
 template <int Dim>
 std::string suddenInlet(const Problem<Dim>& problem, const State<Dim>& state) {
     const auto& mesh = state.mesh;
@@ -76,7 +76,7 @@ std::string suddenInlet(const Problem<Dim>& problem, const State<Dim>& state) {
     for (std::size_t k = 0; wetSolid && k < mesh.patches.size(); ++k) {
         const int first = face, last = face += static_cast<int>(mesh.patches[k].faces.size());
         const auto& inlet = problem.conditions.inlet[k];
-        if (!inlet || inlet->at(state.time.value) == 0) continue;
+        if (!inlet || inlet->at(std::max(state.time.value, inlet->start)) == 0) continue;
         for (int i = 0; i < state.nodes.size(); ++i)
             for (const int wall : state.nodes.wall[i])
                 if (ofFluid[i] && wall >= first && wall < last) return mesh.patches[k].name;
@@ -200,8 +200,8 @@ std::vector<std::string> doubts(const Dictionary& materials, const Dictionary& g
 }
 
 template <int Dim>
-void checkLaws(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const IntegrationControls& integration) {
-    if (!mixesCells(integration.scheme())) return;
+void checkLaws(const Problem<Dim>& problem, const Mesh<Dim>& mesh, Integration ofSolids) {
+    if (!mixesCells(ofSolids)) return;
     std::map<int, int> cellOf;
     const auto isRigid = [&](int e) { return rigidOf(problem.solid(mesh.solid.material[e]).law.get()) != nullptr; };
     const auto kindOf = [&](int e) { return problem.solid(mesh.solid.material[e]).law->kinematics(); };
@@ -211,7 +211,7 @@ void checkLaws(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const Integra
             if (isRigid(other) != isRigid(e))
                 throw UserError(fmt::format(
                     "The solids of the materials '{}' and '{}' have common nodes, but only one is rigid: use "
-                    "'integration elemental;' in system/pfemSolution",
+                    "'solid {{ integration elemental; }}' in system/pfemSolution",
                     problem.materials[mesh.solid.material[other]].name,
                     problem.materials[mesh.solid.material[e]].name));
             if (kindOf(other) == kindOf(e)) continue;
@@ -219,13 +219,13 @@ void checkLaws(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const Integra
                 "The solids of the materials '{}' and '{}' have common nodes, but one law takes its stress from the "
                 "deformation since the start and the other from the strain of each step: a node cannot have the mean "
                 "of "
-                "both. Use 'integration elemental;' in system/pfemSolution, or laws of one kind",
+                "both. Use 'solid {{ integration elemental; }}' in system/pfemSolution, or laws of one kind",
                 problem.materials[mesh.solid.material[other]].name, problem.materials[mesh.solid.material[e]].name));
         }
 }
 
 #define PFEM_INSTANTIATE(D)                                                                              \
-    template void checkLaws<D>(const Problem<D>&, const Mesh<D>&, const IntegrationControls&);           \
+    template void checkLaws<D>(const Problem<D>&, const Mesh<D>&, Integration);                          \
     template std::vector<std::string> doubts<D>(const Dictionary&, const Dictionary&, const Dictionary&, \
                                                 const Problem<D>&, const State<D>&);                     \
     template void checkState<D>(const std::filesystem::path&, const State<D>&);                          \

@@ -29,7 +29,7 @@ void checkState(const std::filesystem::path& folder, const State<Dim>& state);
 /// Throws UserError where nodal integration would have to take the mean of laws of different Kinematics: at a common
 /// node of two solids.
 template <int Dim>
-void checkLaws(const Problem<Dim>& problem, const Mesh<Dim>& mesh, const IntegrationControls& integration);
+void checkLaws(const Problem<Dim>& problem, const Mesh<Dim>& mesh, Integration ofSolids);
 
 /// Sentences about numbers that can be computed but hardly be meant, each naming its entry with file and line: nothing
 /// drives the case (no gravity, velocity, load or motion), gravity or weight of the fluid out of proportion,

@@ -46,6 +46,9 @@ struct Controls {
     ContinuityControls continuity;
     SolidControls solid;
     RemeshingControls remeshing;
+
+    Integration fluidScheme() const { return integration.scheme(); }
+    Integration solidScheme() const { return solid.scheme(integration.scheme()); }
 };
 
 }  // namespace pfem

@@ -28,12 +28,12 @@ StepResult<Dim> accepted(FluidPhase<Dim>& fluid, SolidPhase<Dim>& solid, Trial<D
 /// Algorithm 1. `trial`: the first one on entry; what was reached when it throws.
 template <int Dim>
 StepResult<Dim> iterate(const Step<Dim>& step, const Controls& controls, Trial<Dim>& trial) {
-    const Integration scheme = controls.integration.scheme();
     const Nodes<Dim>& old = step.old;
     const Share share = shareOf<Dim>(controls, step.mesh.fluid.nodes, step.topology.fluid);
     const bool ownRows = !share.isWhole() && hasOwnRows<Dim>(step, controls.continuity) && controls.momentum.theta == 0;
-    FluidPhase<Dim> fluid(step.problem, step.mesh, step.topology.fluid, old, scheme, ownRows ? share : Share());
-    SolidPhase<Dim> solid(step.problem, controls.solid, step.mesh, step.topology.solid, old, scheme);
+    FluidPhase<Dim> fluid(step.problem, step.mesh, step.topology.fluid, old, controls.fluidScheme(),
+                          ownRows ? share : Share());
+    SolidPhase<Dim> solid(step.problem, controls.solid, step.mesh, step.topology.solid, old, controls.solidScheme());
     MomentumEquation<Dim> momentum(step, controls, fluid, solid);
     ContinuityEquation<Dim> continuity(step, controls, fluid, momentum);
     FlowDrive<Dim> drive(step, fluid);

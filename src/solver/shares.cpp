@@ -40,8 +40,7 @@ Share partOf(const Ranks& ranks, int rank, std::vector<std::size_t> ends, const 
 template <int Dim>
 Share shareOf(const Controls& controls, const std::vector<Simplex<Dim>>& cells, const NodeToCells& around) {
     const Ranks& ranks = controls.continuity.ranks;
-    if (ranks.isAlone() || !mixesCells(controls.integration.scheme()) ||
-        controls.continuity.stabilisation == "bodyForce")
+    if (ranks.isAlone() || !mixesCells(controls.fluidScheme()) || controls.continuity.stabilisation == "bodyForce")
         return {};
     return partOf<Dim>(ranks, ranks.rank(), nodeRuns(ranks, around), cells, around);
 }

@@ -26,9 +26,9 @@ bool stopStruckSolids(const Step<Dim>& step, const Controls& controls, NodeConst
     if (!step.contacts || step.contacts->empty()) return false;
     ContactForces<Dim> contact(*step.contacts, step.dt(), 0);
     if (!contact.strikes(nodes.v)) return false;
-    const Integration scheme = controls.integration.scheme();
-    const FluidPhase<Dim> fluid(step.problem, step.mesh, step.topology.fluid, nodes, scheme);
-    const SolidPhase<Dim> solid(step.problem, controls.solid, step.mesh, step.topology.solid, nodes, scheme);
+    const FluidPhase<Dim> fluid(step.problem, step.mesh, step.topology.fluid, nodes, controls.fluidScheme());
+    const SolidPhase<Dim> solid(step.problem, controls.solid, step.mesh, step.topology.solid, nodes,
+                                controls.solidScheme());
     const MomentumEquation<Dim> momentum(step, controls, fluid, solid);
     contact.stop(momentum.system(), nodes.v);
     for (auto& body : constraints.bodies) body.twist = twistOf<Dim>(body, nodes.v);

@@ -45,6 +45,14 @@ TEST_F(Twins, saidByTheirDictionaries) {
     EXPECT_EQ(reachedTime(twins[0].root).endTime, 0.75);
 }
 
+TEST_F(Twins, solidsAreAsTheFluid) {
+    put("system/pfemSolution", "integration nodal; solid { integration elemental; }\n");
+    for (const auto& twin : twinCases(Case(root), "bounds", {1})) {
+        prepareTwin(Case(root), twin, {}, false);
+        EXPECT_EQ(of(twin, "system/pfemSolution").subDict("solid").get<std::string>("integration"), "asFluid");
+    }
+}
+
 TEST_F(Twins, withoutPfemSolution) {
     std::filesystem::remove(root / "system/pfemSolution");
     const auto twins = twinCases(Case(root), "bounds", {1});

@@ -103,7 +103,10 @@ TEST(CheckProblem, inletsThatStartAtOnce) {
     };
     const std::string elastic = "neoHookean; E 1e5; nu 0.3;", table = "{ type table; values ((0 0) (1 2)); }";
     EXPECT_NE(doubtsAbout("(0 0)", "2", elastic).find("boundaryConditions:2: water at rest"), std::string::npos);
+    EXPECT_NE(doubtsAbout("(0 0)", "2; start 0.5", elastic).find("boundaryConditions:2: water at rest"),
+              std::string::npos);  // then the water is still at rest
     EXPECT_EQ(doubtsAbout("(0 0)", table, elastic), "");
+    EXPECT_NE(doubtsAbout("(0 0)", table + " start 0.5", elastic), "");  // the table has reached 1 m/s by then
     EXPECT_EQ(doubtsAbout("(2 0)", "2", elastic), "");
     EXPECT_EQ(doubtsAbout("(0 0)", "2", "rigid;"), "");
 }
@@ -133,10 +136,8 @@ TEST(CheckProblem, touchingSolidsOfTwoKindsAreElemental) {
             makeCase("meshSize 0.5; bodies ( left { type solid; material rubber; " + rectangle(0, 0, 1, 1) +
                          " } right { type solid; material other; " + rectangle(1 + gap, 0, 2 + gap, 1) + " } );",
                      rubber + "other { type " + right + "; rho 1500; E 2e5; nu 0.3; }", "");
-        IntegrationControls controls;
-        controls.integration = integration;
         try {
-            checkLaws<2>(c.problem, c.state.mesh, controls);
+            checkLaws<2>(c.problem, c.state.mesh, schemeNamed(integration));
         } catch (const UserError&) {
             return true;
         }

@@ -62,13 +62,20 @@ TEST(ElasticColumn, startsWithMetalThatIsHyperelastic) {
     }
 }
 
+/// `integration`: of fluid and solid, or "nodalElemental".
+void useIntegration(TestCase& c, const std::string& integration) {
+    const bool mixed = integration == "nodalElemental";
+    c.controls.integration.integration = mixed ? "nodal" : integration;
+    if (mixed) c.controls.solid.integration = "elemental";
+}
+
 class ElasticColumnOscillates : public testing::TestWithParam<std::tuple<const char*, const char*>> {};
 
 TEST_P(ElasticColumnOscillates, periodAndPeak) {
     const auto [stabilisation, integration] = GetParam();
     TestCase c = column(1500, 2.3e5);
     useStabilisation(c, stabilisation);
-    c.controls.integration.integration = integration;
+    useIntegration(c, integration);
     c.controls.continuity.volumeCorrectionTime = 0;
     const double dt = 1e-3;
     c.start(dt);
@@ -97,7 +104,7 @@ TEST_P(ElasticColumnOscillates, periodAndPeak) {
 
 INSTANTIATE_TEST_SUITE_P(, ElasticColumnOscillates,
                          testing::Values(std::tuple("inertia", "nodal"), std::tuple("bodyForce", "nodal"),
-                                         std::tuple("inertia", "elemental")),
+                                         std::tuple("inertia", "elemental"), std::tuple("inertia", "nodalElemental")),
                          [](const auto& test) {
                              return std::string(std::get<0>(test.param)) + "_" + std::get<1>(test.param);
                          });
@@ -115,7 +122,7 @@ class ElasticColumnConverges : public testing::TestWithParam<ColumnCase> {};
 
 TEST_P(ElasticColumnConverges, inTwelveIterations) {
     TestCase c = column(GetParam().rhoS, GetParam().E);
-    c.controls.integration.integration = GetParam().integration;
+    useIntegration(c, GetParam().integration);
     c.controls.solid.formulation = GetParam().formulation;
     c.start(1e-3);
     int most = 0, sum = 0;
@@ -138,7 +145,8 @@ INSTANTIATE_TEST_SUITE_P(materials, ElasticColumnConverges,
                                          ColumnCase{1500, 2.3e5, "elemental"}, ColumnCase{15, 2.3e5, "elemental"},
                                          ColumnCase{150, 2.3e7, "elemental"}, ColumnCase{15, 2.3e9, "elemental"},
                                          ColumnCase{1500, 2.3e5, "elemental", "velocityPressure"},
-                                         ColumnCase{15, 2.3e5, "elemental", "velocityPressure"}),
+                                         ColumnCase{15, 2.3e5, "elemental", "velocityPressure"},
+                                         ColumnCase{15, 2.3e5, "nodalElemental", "velocityPressure"}),
                          [](const auto& test) {
                              const int power = static_cast<int>(std::log10(test.param.E));
                              return "rho" + std::to_string(static_cast<int>(test.param.rhoS)) + "_E1e" +
