@@ -17,8 +17,8 @@ struct Triangulation {
 
 /// Delaunay triangulations of points that move a little from one time to the next. The result is that of a
 /// triangulation from nothing, to the order of the cells: by their first nodes, the smallest of each cell, then by the
-/// second (and third). In 2D what the last time has left is mended, and faces constrain the triangulation; in 3D they
-/// do not, and ranks share the work.
+/// second (and third). What the last time has left is mended. In 2D faces constrain the triangulation; in 3D they do
+/// not, and ranks share the first one.
 template <int Dim>
 class Triangulator {
 public:

@@ -10,6 +10,7 @@
 
 #include "base/parallel.hpp"
 #include "remesh/delaunay.hpp"
+#include "remesh/mendedDelaunay.hpp"
 #include "remesh/sharedDelaunay.hpp"
 #include "remesh/spaceDelaunay.hpp"
 
@@ -74,6 +75,16 @@ std::vector<Turned> sortedCells(const Delaunay& triangulation, std::size_t nPoin
     return cells;
 }
 
+/// -1 for those that take no part.
+std::vector<int> onlyActive(std::vector<int> now, const std::vector<int>& active) {
+    auto next = active.begin();
+    for (int& i : now) {
+        next = std::lower_bound(next, active.end(), i);
+        if (i >= 0 && (next == active.end() || *next != i)) i = -1;
+    }
+    return now;
+}
+
 }  // namespace
 
 Triangulation<3> spaceDelaunay(const Points<3>& points, const std::vector<int>& active, bool* coincide) {
@@ -97,6 +108,18 @@ Triangulation<3> spaceDelaunay(const Points<3>& points, const std::vector<int>& 
 template <>
 struct Triangulator<3>::Kept {
     Triangulation<3> last;
+    std::vector<Id> ids;  // of its points
+
+    /// The number now of each of its points, which keep their order; -1: gone.
+    std::vector<int> numbersNow(const std::vector<Id>& idsNow) const {
+        std::vector<int> now(ids.size(), -1);
+        std::size_t k = 0;
+        for (std::size_t i = 0; i < ids.size(); ++i) {
+            while (k < idsNow.size() && idsNow[k] < ids[i]) ++k;
+            if (k < idsNow.size() && idsNow[k] == ids[i]) now[i] = static_cast<int>(k++);
+        }
+        return now;
+    }
 };
 
 template <>
@@ -109,21 +132,28 @@ template <>
 Triangulator<3>& Triangulator<3>::operator=(Triangulator&&) noexcept = default;
 
 template <>
-void Triangulator<3>::follow(const Points<3>& points, const std::vector<Id>&, const std::vector<int>& active,
+void Triangulator<3>::follow(const Points<3>& points, const std::vector<Id>& ids, const std::vector<int>& active,
                              const std::vector<Face<3>>&, const std::vector<Face<3>>&) {
-    kept_->last = {};
+    Triangulation<3>& last = kept_->last;
+    std::vector<int> now;  // of those that take part
+    if (halo_ > 0 && !last.cells.empty()) now = onlyActive(kept_->numbersNow(ids), active);
+    kept_->ids = ids;
+    if (auto mended = now.empty() ? std::nullopt : mendedDelaunay(points, active, last, now, halo_)) {
+        last = *std::move(mended);
+        return;
+    }
     if (!ranks_.isAlone()) {
-        kept_->last = sharedDelaunay(points, active, ranks_, halo_);
+        last = sharedDelaunay(points, active, ranks_, halo_);
         return;
     }
     const int nThreads = halo_ > 0 ? std::min(omp_get_max_threads(), static_cast<int>(active.size() / leastPart)) : 1;
     auto byThreads = nThreads > 1 ? threadedDelaunay(points, active, nThreads, halo_) : std::nullopt;
-    kept_->last = byThreads ? *std::move(byThreads) : spaceDelaunay(points, active);
+    last = byThreads ? *std::move(byThreads) : spaceDelaunay(points, active);
 }
 
 template <>
 Triangulation<3> Triangulator<3>::triangulation(int) {
-    return std::move(kept_->last);
+    return kept_->last;
 }
 
 }  // namespace pfem

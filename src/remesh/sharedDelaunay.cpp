@@ -4,23 +4,13 @@
 #include <numeric>
 
 #include "base/parallel.hpp"
-#include "mesh/simplex.hpp"
-#include "remesh/cellNeighbours.hpp"
+#include "remesh/outwardFace.hpp"
 #include "remesh/provenCells.hpp"
 #include "remesh/spaceDelaunay.hpp"
 
 namespace pfem {
 
 namespace {
-
-/// The outward face opposite to node k, its smallest node first.
-Face<3> outwardFace(const Simplex<3>& cell, int k) {
-    Face<3> face = oppositeFace<3>(cell, k);
-    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-    return face;
-}
-
-Face<3> turnedRound(const Face<3>& face) { return {face[0], face[2], face[1]}; }
 
 /// A face of the known cells beyond which no cell is known.
 struct OpenFace {
@@ -32,15 +22,16 @@ struct OpenFace {
 class Completion {
 public:
     Completion(const Points<3>& x, const std::vector<int>& active, Triangulation<3> known) : known_(std::move(known)) {
-        findOpenFaces();
+        findOpenFaces(x, PointBox(x, active));
         joinParts();
         rest_ = spaceDelaunay(x, openPoints(active, x.size()));
         beyond_.assign(rest_.cells.size(), {-1, -1, -1, -1});
         missing_.assign(rest_.cells.size(), 0);
     }
 
-    /// Cells of the rest that are missing: on the far side of open faces, and all that is joined to them or to the
-    /// hull without crossing one. Does each open face have its other side?
+    /// Cells of the rest that are missing: on the far side of open faces, and all that is joined to them without
+    /// crossing one: what fills a gap between known cells, or between them and the hull, meets one of them. Does each
+    /// open face have its other side?
     bool findMissing() {
         std::size_t closed = 0;
         std::vector<int> work;
@@ -52,9 +43,9 @@ public:
             for (int k = 0; k < 4; ++k) {
                 const Face<3> face = outwardFace(rest_.cells[r], k);
                 beyond_[r][k] = openFace(turnedRound(face));
-                const bool atHull = rest_.neighbours[r][k] < 0, ofKnown = atHull && openFace(face) >= 0;
-                closed += beyond_[r][k] >= 0 || ofKnown;
-                if (beyond_[r][k] >= 0 || (atHull && !ofKnown)) take(r);
+                const bool atHull = rest_.neighbours[r][k] < 0;
+                closed += beyond_[r][k] >= 0 || (atHull && openFace(face) >= 0);
+                if (beyond_[r][k] >= 0) take(r);
             }
         while (!work.empty()) {
             const int r = work.back();
@@ -67,7 +58,8 @@ public:
 
     /// Known and missing cells in one order.
     Triangulation<3> merged() const {
-        const auto& [cells, neighbours] = known_;
+        const auto& cells = known_.cells;
+        const auto& neighbours = known_.neighbours;
         std::vector<int> ofKnown(cells.size()), ofRest(rest_.cells.size(), -1);
         Triangulation<3> result;
         result.cells.reserve(cells.size() + rest_.cells.size());
@@ -104,14 +96,17 @@ public:
     }
 
 private:
-    void findOpenFaces() {
+    void findOpenFaces(const Points<3>& x, const PointBox& box) {
         for (int e = 0; e < static_cast<int>(known_.cells.size()); ++e)
-            for (int k = 0; k < 4; ++k)
-                if (known_.neighbours[e][k] < 0) open_.push_back({outwardFace(known_.cells[e], k), e, k});
+            for (int k = 0; k < 4; ++k) {
+                if (known_.neighbours[e][k] >= 0) continue;
+                const Face<3> face = outwardFace(known_.cells[e], k);
+                if (!box.hasAtSide(x, face)) open_.push_back({face, e, k});
+            }
         std::sort(open_.begin(), open_.end(), [](const OpenFace& a, const OpenFace& b) { return a.face < b.face; });
     }
 
-    /// Known cells on both sides of a face, of different parts, are neighbours.
+    /// Known cells on both sides of a face are neighbours: those of different parts, and of ranks all of them.
     void joinParts() {
         for (const OpenFace& open : open_) {
             const int other = openFace(turnedRound(open.face));
@@ -182,6 +177,7 @@ Triangulation<3> inOneOrder(const std::vector<ProvenCells>& parts, std::size_t n
 }  // namespace
 
 std::optional<Triangulation<3>> completed(const Points<3>& x, const std::vector<int>& active, Triangulation<3> known) {
+    if (known.cells.empty()) return spaceDelaunay(x, active);
     Completion completion(x, active, std::move(known));
     if (!completion.findMissing()) return std::nullopt;
     return completion.merged();
@@ -195,8 +191,8 @@ Triangulation<3> sharedDelaunay(const Points<3>& x, const std::vector<int>& acti
     const auto coincide = ranks.gather(std::vector<unsigned char>{mine.coincide});
     if (std::count(coincide.begin(), coincide.end(), 1) == 0) {
         mergeParts(known, ends);
-        auto neighbours = cellNeighbours(known, static_cast<int>(x.size()));
-        if (auto whole = completed(x, active, {std::move(known), std::move(neighbours)})) return *std::move(whole);
+        std::vector<std::array<int, 4>> unknown(known.size(), {-1, -1, -1, -1});  // neighbours
+        if (auto whole = completed(x, active, {std::move(known), std::move(unknown)})) return *std::move(whole);
     }
     return spaceDelaunay(x, active);  // of points that coincide one stands for all: which one, only the whole can say
 }

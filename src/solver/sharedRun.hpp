@@ -1,6 +1,6 @@
 #pragma once
 // A run that ranks share: each has the whole state and the same bits. Of what is large each works off a part and gets
-// the others': triangulation, lists of neighbours, residuals, the pressure's rows.
+// the others': the first triangulation, lists of neighbours, residuals, the pressure's rows.
 
 #include "solver/simulation.hpp"
 
