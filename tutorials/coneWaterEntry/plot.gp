@@ -13,5 +13,6 @@ set key top left Left reverse samplen 3
 sizes = system("ls -r study")
 k(c, t) = c*1000*4**4*(1e-3*t)**2/tan(pi/6)**3/1000
 plot k(256/pi**3, x) with lines lw 4 lc rgb "#bbccee" title "Wagner", \
+     k(4.75, x) with lines lw 2 lc rgb "#555555" title "potential flow", \
      k(4, x) with lines lw 4 lc rgb "#ccddaa" title "von Karman", \
      for [size in sizes] "< pfemHistory -csv -case study/".size." force force.dat | tr -d '()'" using (1e3*$1 - 1.25):(1e-3*$4) with lines lw 1.3 title size." mm"
