@@ -103,8 +103,6 @@ public:
           moved_(moved),
           inside_(t_.cells.size(), 0),
           accepted_(t_.cells.size(), 0),
-          known_(t_.cells.size(), 0),
-          kept_(moved_.fluid.size(), 0),
           gap_(t_.cells.size(), 0) {}
 
     Connectivity<Dim> select() {
@@ -112,7 +110,6 @@ public:
         countCells();
         Connectivity<Dim>& result = result_;
         peel();
-        if (Dim == 3) compareCells();
         result.fluid.reserve(t_.cells.size());
         for (std::size_t e = 0; e < t_.cells.size(); ++e) {
             if (gap_[e]) result.gaps.push_back(t_.cells[e]);
@@ -133,11 +130,8 @@ private:
         parallelFor(n, [&](int e) {
             const auto& s = t_.cells[e];
             if (isFlatOnWall(s) || (isOnSolids(s) && isSliver(s))) return;
-            const int same = oldCell(s);
-            accepted_[e] = inside_[e] = wasFluidAround(s, same, simplexCentroid<Dim>(nodes_.x, s));
+            accepted_[e] = inside_[e] = wasFluidAround(s, simplexCentroid<Dim>(nodes_.x, s));
             isOpen[e] = !inside_[e];
-            known_[e] = inside_[e] && same >= 0;
-            if (known_[e]) kept_[same] = 1;
         });
         const auto forOpen = [&](const std::vector<Simplex<Dim>>& old, const auto& decide) {  // decide(e, in old mesh)
             const auto open = chosen(isOpen);
@@ -180,9 +174,10 @@ private:
         return -1;
     }
 
-    /// Do the old cells of its nodes hold the point? Mostly the same cell (-1: none) does.
-    bool wasFluidAround(const Simplex<Dim>& s, int same, const Vec<Dim>& centre) const {
+    /// Do the old cells of its nodes hold the point? Mostly the same cell does.
+    bool wasFluidAround(const Simplex<Dim>& s, const Vec<Dim>& centre) const {
         const NodeToCells& around = moved_.topology.fluid;
+        const int same = oldCell(s);
         if (same >= 0 && holds<Dim>(moved_.x, moved_.fluid[same], centre)) return true;
         for (int node : s) {
             const int old = nodes_.old[node];
@@ -215,15 +210,6 @@ private:
                 if (place.beyond < 0 && inward.dot(centre - place.x) < 0) return true;
             }
         return false;
-    }
-
-    /// The cells inside that the old mesh did not have, and those of it that are gone.
-    void compareCells() {
-        for (std::size_t e = 0; e < t_.cells.size(); ++e)
-            if (inside_[e] && !known_[e])
-                result_.fresh.push_back({VolumeCause::reshaped, t_.cells[e], simplexMeasure<Dim>(nodes_.x, t_.cells[e])});
-        for (std::size_t e = 0; e < kept_.size(); ++e)
-            if (!kept_[e]) result_.vanished.push_back(static_cast<int>(e));
     }
 
     void countCells() {
@@ -346,8 +332,6 @@ private:
     const MovedMesh<Dim>& moved_;
     std::vector<unsigned char> inside_;
     std::vector<unsigned char> accepted_;
-    std::vector<unsigned char> known_;  // inside, and a cell of the old mesh
-    std::vector<unsigned char> kept_;   // per cell of the old mesh: it is known
     std::vector<unsigned char> gap_;
     std::vector<int> cells_;  // accepted cells per node
     Connectivity<Dim> result_;

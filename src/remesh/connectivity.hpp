@@ -29,19 +29,11 @@ struct CellChange {
     double amount = 0;  // its measure, negative when it has gone
 };
 
-/// How the new cells differ from those of the moved old mesh. In the plane its surface is kept, and the last two are
-/// empty.
 template <int Dim>
-struct CellChanges {
-    std::vector<CellChange<Dim>> changes;  // by `contact` outside the moved old mesh, by `stretched`, `released` inside
-    std::vector<CellChange<Dim>> fresh;    // by `reshaped`, inside, of the fluid or let go: the old mesh had other cells
-    std::vector<int> vanished;             // the old mesh's cells that are none of the triangulation's any more
-};
-
-template <int Dim>
-struct Connectivity : CellChanges<Dim> {
+struct Connectivity {
     std::vector<Simplex<Dim>> fluid;
-    std::vector<Simplex<Dim>> gaps;  // cells of air, no larger than a contact may be, between surfaces or drops
+    std::vector<Simplex<Dim>> gaps;        // cells of air, no larger than a contact may be, between surfaces or drops
+    std::vector<CellChange<Dim>> changes;  // by `contact` outside the moved old mesh, by `stretched`, `released` inside
 };
 
 /// The cells of the changes by one cause.

@@ -4,7 +4,6 @@
 
 #include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
-#include "remesh/cavities.hpp"
 #include "remesh/heirs.hpp"
 
 namespace pfem {
@@ -32,40 +31,19 @@ double handOver(const MovedMesh<Dim>& moved, const std::vector<int>& newIndex, c
 
 /// What removed surface nodes cut off or fill in, half to each of their neighbours: give(node, amount); returns the
 /// sum.
-template <class Give>
-double shareCuts(const MovedMesh<2>& moved, const NodePlan<2>& plan, const std::vector<int>& newIndex,
+template <int Dim, class Give>
+double shareCuts(const MovedMesh<Dim>& moved, const NodePlan<Dim>& plan, const std::vector<int>& newIndex,
                  const Give& give) {
     double sum = 0;
-    for (const auto& cut : plan.cuts) {
-        const double amount = -0.5 * simplexMeasure<2>(moved.x, cut);
-        for (int end : {cut[0], cut[2]}) {
-            if (newIndex[end] < 0) continue;
-            give(newIndex[end], amount);
-            sum += amount;
+    if constexpr (Dim == 2)
+        for (const auto& cut : plan.cuts) {
+            const double amount = -0.5 * simplexMeasure<2>(moved.x, cut);
+            for (int end : {cut[0], cut[2]}) {
+                if (newIndex[end] < 0) continue;
+                give(newIndex[end], amount);
+                sum += amount;
+            }
         }
-    }
-    return sum;
-}
-
-/// What each cavity has gained, to its nodes of the surface, or else to all of them that are in the fluid:
-/// give(node, amount); returns the sum.
-template <int Dim, class Give>
-double shareCavities(const MovedMesh<Dim>& moved, const CellChanges<Dim>& selected, const std::vector<int>& newIndex,
-                     const std::vector<unsigned char>& wet, const std::vector<int>& surface, const Give& give) {
-    std::vector<unsigned char> ofSurface(wet.size(), 0);
-    for (const int node : surface) ofSurface[node] = 1;
-    double sum = 0;
-    for (const auto& cavity : cavities<Dim>(moved, newIndex, selected)) {
-        std::vector<int> takers;
-        const auto takeThoseOf = [&](const std::vector<unsigned char>& group) {
-            for (const int node : cavity.nodes)
-                if (group[node]) takers.push_back(node);
-        };
-        takeThoseOf(ofSurface);
-        if (takers.empty()) takeThoseOf(wet);
-        for (const int node : takers) give(node, cavity.gain / static_cast<double>(takers.size()));
-        if (!takers.empty()) sum += cavity.gain;
-    }
     return sum;
 }
 
@@ -125,39 +103,34 @@ void chargeMotion(const NodeToCells& around, const std::vector<Simplex<Dim>>& ce
 
 template <int Dim>
 void bookRemeshing(const MovedMesh<Dim>& moved, const NodePlan<Dim>& plan, const std::vector<int>& newIndex,
-                   const CellChanges<Dim>& selected, VolumeLedger& sheet, State<Dim>& state) {
+                   const std::vector<CellChange<Dim>>& changes, VolumeLedger& sheet, State<Dim>& state) {
     std::vector<double>& lost = state.nodes.lostVolume;
     const auto wet = nodesIn<Dim>(state.mesh.fluid.nodes, state.nodes.size());
     double reshaped = cellVolume<Dim>(state) - moved.volume;
     for (const auto cause : {VolumeCause::contact, VolumeCause::stretched, VolumeCause::released}) sheet.book(cause, 0);
-    for (const auto& [cause, cell, amount] : selected.changes) sheet.book(cause, cell, amount);
+    for (const auto& [cause, cell, amount] : changes) sheet.book(cause, cell, amount);
     for (int node = 0; node < state.nodes.size(); ++node) lost[node] -= sheet.atNodes()[node];
     for (const auto cause : {VolumeCause::contact, VolumeCause::stretched, VolumeCause::released})
         reshaped -= sheet[cause];
 
     sheet.book(VolumeCause::reshaped, reshaped);
-    const auto surface = lastingSurface(moved, newIndex, wet);
-    const auto give = [&](int node, double amount) {
+    const double cuts = shareCuts<Dim>(moved, plan, newIndex, [&](int node, double amount) {
         sheet.place(VolumeCause::reshaped, node, amount);
         lost[node] -= amount;
-    };
-    double placed = 0;
-    if constexpr (Dim == 2)
-        placed = shareCuts(moved, plan, newIndex, give);
-    else
-        placed = shareCavities<Dim>(moved, selected, newIndex, wet, surface, give);
+    });
     const double orphaned = handOver(moved, newIndex, wet, lost);
-    for (const int node : surface) lost[node] -= (reshaped - placed - orphaned) / static_cast<double>(surface.size());
+    const auto surface = lastingSurface(moved, newIndex, wet);
+    for (const int node : surface) lost[node] -= (reshaped - cuts - orphaned) / static_cast<double>(surface.size());
     const auto takers = surface.empty() ? chosen(wet) : surface;
     for (const int node : takers)
-        sheet.place(VolumeCause::reshaped, node, (reshaped - placed) / static_cast<double>(takers.size()));
+        sheet.place(VolumeCause::reshaped, node, (reshaped - cuts) / static_cast<double>(takers.size()));
     exchangeWithDrops(moved, newIndex, wet, state.nodes);
 }
 
 #define PFEM_INSTANTIATE(D)                                                                                         \
     template void chargeMotion<D>(const NodeToCells&, const std::vector<Simplex<D>>&, const Points<D>&, Nodes<D>&); \
     template void bookRemeshing<D>(const MovedMesh<D>&, const NodePlan<D>&, const std::vector<int>&,                \
-                                   const CellChanges<D>&, VolumeLedger&, State<D>&);
+                                   const std::vector<CellChange<D>>&, VolumeLedger&, State<D>&);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

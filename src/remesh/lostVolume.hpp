@@ -19,13 +19,13 @@ template <int Dim>
 void chargeMotion(const NodeToCells& around, const std::vector<Simplex<Dim>>& cells, const Points<Dim>& xOld,
                   Nodes<Dim>& nodes);
 
-/// Book a remeshing into its sheet and into what nodes lack. Cells that have changed: a third of each triangle to each
-/// of its nodes; what is left of the change of all cells is `reshaped`: in the plane of a removed surface node, the
-/// triangle that it cuts off, half to each of its neighbours, in space what each cavity has gained (cavities.hpp); the
-/// rest to all surface nodes. Removed nodes and dry places on walls and solids hand what they lack to their ring. Nodes
-/// without triangles carry it as a drop. The state has its new cells; `newIndex`: of the old nodes.
+/// Book a remeshing into its sheet and into what nodes lack. `changes`: a third of each triangle to each of its nodes;
+/// what is left of the change of all cells is `reshaped`: of a removed surface node, the triangle that it cuts off,
+/// half to each of its neighbours; the rest to all surface nodes. Removed nodes and dry places on walls and solids hand
+/// what they lack to their ring. Nodes without triangles carry it as a drop. The state has its new cells; `newIndex`:
+/// of the old nodes.
 template <int Dim>
 void bookRemeshing(const MovedMesh<Dim>& moved, const NodePlan<Dim>& plan, const std::vector<int>& newIndex,
-                   const CellChanges<Dim>& selected, VolumeLedger& sheet, State<Dim>& state);
+                   const std::vector<CellChange<Dim>>& changes, VolumeLedger& sheet, State<Dim>& state);
 
 }  // namespace pfem

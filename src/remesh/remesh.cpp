@@ -192,21 +192,19 @@ void bookGone(const MovedMesh<Dim>& moved, const std::vector<int>& gone, State<D
 template <int Dim>
 void keepOwn(const State<Dim>& state, Connectivity<Dim>& selected) {
     const auto isCopy = [&](const Simplex<Dim>& cell) { return !isOwn(state.nodes.id, cell); };
-    for (auto* cells : {&selected.fluid, &selected.gaps})
-        cells->erase(std::remove_if(cells->begin(), cells->end(), isCopy), cells->end());
-    for (auto* changes : {&selected.changes, &selected.fresh})
-        changes->erase(std::remove_if(changes->begin(), changes->end(), [&](const auto& c) { return isCopy(c.cell); }),
-                       changes->end());
+    auto& [fluid, gaps, changes] = selected;
+    fluid.erase(std::remove_if(fluid.begin(), fluid.end(), isCopy), fluid.end());
+    gaps.erase(std::remove_if(gaps.begin(), gaps.end(), isCopy), gaps.end());
+    changes.erase(std::remove_if(changes.begin(), changes.end(), [&](const auto& c) { return isCopy(c.cell); }),
+                  changes.end());
 }
 
-/// What has changed, with masters in the place of their images.
+/// The changes with masters in the place of their images.
 template <int Dim>
-CellChanges<Dim> withMasters(const Images<Dim>& images, CellChanges<Dim> all) {
-    if (images.empty()) return all;
-    for (auto* changes : {&all.changes, &all.fresh})
-        for (auto& change : *changes)
-            for (int& node : change.cell) node = images.own(node);
-    return all;
+std::vector<CellChange<Dim>> ofMasters(const Images<Dim>& images, std::vector<CellChange<Dim>> changes) {
+    for (auto& change : changes)
+        for (int& node : change.cell) node = images.own(node);
+    return changes;
 }
 
 /// Nodes without triangles have no pressure.
@@ -275,7 +273,7 @@ RemeshReport<Dim> remesh(RemeshTask<Dim> task, Triangulator<Dim>& triangulator, 
     moved.images.hide(moved.topology.freeSurface);  // what is changed there is changed at the masters
 
     VolumeLedger sheet = state.ledger.sheet(state.nodes.size());
-    bookRemeshing<Dim>(moved, plan, newIndex, withMasters<Dim>(imagesOf<Dim>(state), selected), sheet, state);
+    bookRemeshing<Dim>(moved, plan, newIndex, ofMasters<Dim>(imagesOf<Dim>(state), selected.changes), sheet, state);
     sheet.book(VolumeCause::isolated, dropVolume<Dim>(state) - drops);
     sheet.place(VolumeCause::isolated, state.nodes.dropVolume);
     state.ledger.place(VolumeCause::isolated, moved.dropVolume, -1);
