@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "base/parallel.hpp"
+#include "mesh/sortedFace.hpp"
 #include "remesh/outwardFace.hpp"
 #include "remesh/pointGrid.hpp"
 #include "remesh/sharedDelaunay.hpp"
@@ -20,7 +21,7 @@ constexpr Simplex<3> noCell{-1, -1, -1, -1};
 class Growth {
 public:
     Growth(const Points<3>& x, const std::vector<int>& active, double reach)
-        : x_(x), grid_(x, active, reach / 3), box_(x, active), reach_(reach) {}
+        : x_(x), box_(x, active), grid_(x, active, box_, reach / 3), reach_(reach) {}
 
     bool coincide() const { return grid_.coincide(); }
 
@@ -61,7 +62,7 @@ public:
             parallelFor(static_cast<int>(faces.size()), [&](int f) { found[f] = cellBeyond(faces[f]); });
             next.clear();
             for (std::size_t f = 0; f < faces.size(); ++f)  // several faces may have found the same cell
-                if (found[f] != noCell && open_.count(sortedNodes(faces[f])) > 0) add(found[f], next);
+                if (found[f] != noCell && open_.count(sorted<3>(faces[f])) > 0) add(found[f], next);
             std::swap(faces, next);
         }
     }
@@ -115,11 +116,6 @@ private:
             if (result[k] < 0) return noCell;
         }
         return result;
-    }
-
-    static Face<3> sortedNodes(Face<3> face) {
-        std::sort(face.begin(), face.end());
-        return face;
     }
 
     /// No other point is in its sphere, whatever the round-off.
@@ -176,7 +172,7 @@ private:
     void leaveOpen(int cell, int opposite, std::vector<Face<3>>& faces) {
         const Face<3> face = outwardFace(known_.cells[cell], opposite);
         if (box_.hasAtSide(x_, face)) return;
-        open_[sortedNodes(face)] = {cell, opposite};
+        open_[sorted<3>(face)] = {cell, opposite};
         faces.push_back(face);
     }
 
@@ -185,7 +181,7 @@ private:
         known_.cells.push_back(cell);
         known_.neighbours.push_back({-1, -1, -1, -1});
         for (int k = 0; k < 4; ++k) {
-            const auto other = open_.find(sortedNodes(oppositeFace<3>(cell, k)));
+            const auto other = open_.find(sorted<3>(oppositeFace<3>(cell, k)));
             if (other == open_.end()) {
                 leaveOpen(e, k, faces);
                 continue;
@@ -197,8 +193,8 @@ private:
     }
 
     const Points<3>& x_;
-    PointGrid grid_;
     PointBox box_;
+    PointGrid grid_;
     double reach_;
     Triangulation<3> known_;
     int nOld_ = 0;  // of last time, the first ones

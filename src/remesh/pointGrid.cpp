@@ -6,18 +6,14 @@
 
 namespace pfem {
 
-PointGrid::PointGrid(const Points<3>& x, const std::vector<int>& active, double width) {
+PointGrid::PointGrid(const Points<3>& x, const std::vector<int>& active, const PointBox& whole, double width)
+    : low_(whole.low) {
     constexpr double boxesPerPoint = 16;
     const int n = static_cast<int>(active.size());
-    Vec<3> high = low_;
-    for (int k = 0; k < n; ++k) {
-        low_ = k == 0 ? x[active[k]] : low_.cwiseMin(x[active[k]]).eval();
-        high = k == 0 ? x[active[k]] : high.cwiseMax(x[active[k]]).eval();
-    }
-    const Vec<3> size = (high - low_).array() + width;
+    const Vec<3> size = (whole.high - low_).array() + width;
     const double taken = std::max({width, std::cbrt(size.prod() / (boxesPerPoint * (n + 1))), 1e-6 * size.maxCoeff()});
     if (taken > 0) boxesPerLength_ = 1 / taken;
-    for (int d = 0; d < 3; ++d) count_[d] = static_cast<int>((high[d] - low_[d]) * boxesPerLength_) + 1;
+    for (int d = 0; d < 3; ++d) count_[d] = static_cast<int>((whole.high[d] - low_[d]) * boxesPerLength_) + 1;
     std::vector<int> box(n);
     parallelFor(n, [&](int k) { box[k] = number(boxOf(x[active[k]])); });
     start_.assign(static_cast<std::size_t>(count_[0]) * count_[1] * count_[2] + 1, 0);

@@ -1,11 +1,13 @@
 #pragma once
-// Points in the order of the boxes of a grid: those near a place lie together.
+// Points in the order of the boxes of a grid: those near a place lie together in memory, which Bins (mesh/bins.hpp),
+// for things that have a size, do not promise. Each ball of a triangulation is asked in each step.
 
 #include <algorithm>
 #include <array>
 #include <vector>
 
 #include "remesh/enclosingBall.hpp"
+#include "remesh/pointBox.hpp"
 
 namespace pfem {
 
@@ -16,9 +18,9 @@ public:
         int number;
     };
 
-    /// The points that `active` names, in boxes of this width [m], or of a larger one where there would be many more
-    /// boxes than points.
-    PointGrid(const Points<3>& x, const std::vector<int>& active, double width);
+    /// The points that `active` names, which fill `whole`, in boxes of this width [m], or of a larger one where there
+    /// would be many more boxes than points.
+    PointGrid(const Points<3>& x, const std::vector<int>& active, const PointBox& whole, double width);
 
     /// f(place) for the points in the ball, until it gives true. Was there a true?
     template <class F>
@@ -55,7 +57,7 @@ private:
     }
     int number(const Box& box) const { return (box[0] * count_[1] + box[1]) * count_[2] + box[2]; }
 
-    Vec<3> low_ = Vec<3>::Zero();
+    Vec<3> low_;
     double boxesPerLength_ = 1;  // [1/m]
     Box count_{1, 1, 1};
     std::vector<int> start_;  // per box

@@ -5,6 +5,7 @@
 
 #include "base/parallel.hpp"
 #include "remesh/outwardFace.hpp"
+#include "remesh/pointBox.hpp"
 #include "remesh/provenCells.hpp"
 #include "remesh/spaceDelaunay.hpp"
 
