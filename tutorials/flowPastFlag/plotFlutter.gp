@@ -11,7 +11,8 @@ swing = fsi == 3 ? 34.38 : 80.6
 force = fsi == 3 ? 457.3 : 208.83
 width = fsi == 3 ? 22.66 : 73.75
 set multiplot layout 1,2
-set key top left Left reverse opaque
+set key below left Left reverse
+set bmargin 6
 
 set title "Displacement of the flag's tip"
 set ylabel "u_y [mm]"
