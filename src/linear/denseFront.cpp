@@ -32,21 +32,41 @@ PFEM_INLINE void eliminate(const Stored* L, int m, int width, double* own, doubl
     }
 }
 
+/// sum = L21^T below of n columns of L21, each as eight sums side by side that need not wait for each other.
+template <int n, class Stored>
+PFEM_INLINE void productsBelow(const Stored* L21, int m, int r, const double* below, double* sum) {
+    double parts[n][lanes] = {};
+    int i = 0;
+    for (; i + lanes <= r; i += lanes)
+        for (int c = 0; c < n; ++c)
+            for (int l = 0; l < lanes; ++l) parts[c][l] += L21[static_cast<long>(c) * m + i + l] * below[i + l];
+    for (int c = 0; c < n; ++c)
+        for (int l = 0; i + l < r; ++l) parts[c][l] += L21[static_cast<long>(c) * m + i + l] * below[i + l];
+    for (int c = 0; c < n; ++c) {
+        sum[c] = 0;
+        for (const double part : parts[c]) sum[c] += part;
+    }
+}
+
+/// The last n of the first `end` columns.
+template <int n, class Stored>
+PFEM_INLINE void substituteLast(const Stored* L, int m, int width, int end, const double* below, double* own) {
+    const Stored* const first = L + static_cast<long>(end - n) * m;
+    double sum[n];
+    productsBelow<n>(first + width, m, m - width, below, sum);
+    for (int c = n - 1; c >= 0; --c) {
+        const int k = end - n + c;
+        const Stored* const column = first + static_cast<long>(c) * m;
+        for (int i = k + 1; i < width; ++i) sum[c] += column[i] * own[i];
+        own[k] = own[k] / column[k] - sum[c];
+    }
+}
+
 template <class Stored>
 PFEM_INLINE void substitute(const Stored* L, int m, int width, const double* below, double* own) {
-    const int r = m - width;
-    for (int k = width - 1; k >= 0; --k) {
-        const Stored* const column = L + static_cast<long>(k) * m;
-        double sums[lanes] = {};  // side by side, so that they need not wait for each other
-        int i = 0;
-        for (; i + lanes <= r; i += lanes)
-            for (int l = 0; l < lanes; ++l) sums[l] += column[width + i + l] * below[i + l];
-        for (; i < r; ++i) sums[i % lanes] += column[width + i] * below[i];
-        double sum = 0;
-        for (const double part : sums) sum += part;
-        for (i = k + 1; i < width; ++i) sum += column[i] * own[i];
-        own[k] = own[k] / column[k] - sum;
-    }
+    int end = width;
+    for (; end % 4 != 0; --end) substituteLast<1>(L, m, width, end, below, own);
+    for (; end > 0; end -= 4) substituteLast<4>(L, m, width, end, below, own);
 }
 
 /// U -= L21 D L21^T, four columns of L21 at a time.
