@@ -76,7 +76,7 @@ SparseRows rowByRow(int n, int nColumns, const Append& append) {
     constexpr int block = 256;
     const int nBlocks = (n + block - 1) / block;
     std::vector<SparseRows> part(nBlocks);
-#pragma omp parallel if (n > shortLoop)
+#pragma omp parallel if (nBlocks > 1)
     {
         SparseRow row(nColumns);
 #pragma omp for schedule(static)

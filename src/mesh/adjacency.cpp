@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -57,7 +58,17 @@ struct NodeRun {
         : first(ranks.beginOf(ends)), last(static_cast<int>(ends[ranks.rank()])) {}
 };
 
-/// The neighbours of one node, as they are found in the cells around it: arrays, so that searches have no branches.
+/// In ascending order; none is twice among them.
+void writeSorted(const std::vector<int>& nodes, int* to) {
+    for (const int each : nodes) {  // counting is quicker than moving
+        int rank = 0;
+        for (const int other : nodes) rank += other < each;
+        to[rank] = each;
+    }
+}
+
+/// The neighbours of one node in the plane, as they are found in the cells around it: arrays, so that searches have no
+/// branches.
 struct Found {
     std::vector<int> node, times, cell;  // in how many cells, and the first of them
 
@@ -76,21 +87,60 @@ struct Found {
         times.push_back(1);
         cell.push_back(inCell);
     }
+};
 
-    /// In ascending order; none is twice among them.
-    void writeSorted(int* to) const {
-        for (const int each : node) {  // counting is quicker than moving
-            int rank = 0;
-            for (const int other : node) rank += other < each;
-            to[rank] = each;
+/// Looks around nodes in the plane; where an edge of one triangle alone leads to a neighbour, it is open.
+struct RingInPlane {
+    const std::vector<Simplex<2>>& cells;
+    const NodeToCells& around;
+    std::vector<unsigned char>& open;  // per cell and local node: is the face opposite to it of no other cell?
+    Found found = {};
+
+    const std::vector<int>& operator()(int i) {
+        found.clear();
+        for (int s = around.start[i]; s < around.start[i + 1]; ++s)
+            for (int k = 1; k <= 2; ++k) found.add(cells[around.cell[s]][(around.corner[s] + k) % 3], around.cell[s]);
+        for (std::size_t f = 0; f < found.node.size(); ++f) {
+            if (found.times[f] > 1 || found.node[f] < i) continue;
+            const auto& s = cells[found.cell[f]];
+            for (int k = 0; k <= 2; ++k)
+                if (s[k] != i && s[k] != found.node[f]) open[found.cell[f] * 3 + k] = 1;
         }
+        return found.node;
     }
 };
 
-/// `open` (2D): per cell and local node, is the face opposite to it of no other cell? `ends`: nodeRuns.
+/// In space. The cells around a node are triangles on a sphere around it, the neighbours their vertices: V vertices and
+/// F triangles cover all of it when V - 3/2 F + F = 2 (Euler); where T triangles are missing and B of their edges are
+/// open, V - F/2 is larger by T/2 less the vertices that are missing, which is (B - 2 chi)/2 > 0.
+struct RingInSpace {
+    const std::vector<Simplex<3>>& cells;
+    const NodeToCells& around;
+    std::vector<unsigned char>& isInside;  // per node: none of its faces is open
+    std::vector<int> last = std::vector<int>(around.start.size() - 1, -1), ring = std::vector<int>(16);
+
+    /// Nodes are written at the end of the ring, and stay there when they are new.
+    const std::vector<int>& operator()(int i) {
+        const int nCells = around.count(i);
+        ring.resize(3 * static_cast<std::size_t>(nCells) + 1);
+        std::size_t n = 0;
+        last[i] = i;
+        for (int s = around.start[i]; s < around.start[i + 1]; ++s)
+            for (const int node : cells[around.cell[s]]) {
+                ring[n] = node;
+                n += last[node] != i;
+                last[node] = i;
+            }
+        ring.resize(n);
+        isInside[i] = 2 * static_cast<int>(n) == nCells + 4;
+        return ring;
+    }
+};
+
+/// `marks`: what the look around nodes finds beside them. `ends`: nodeRuns.
 template <int Dim>
 NodeToNodes nodeToNodes(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around, const Ranks& ranks,
-                        const std::vector<std::size_t>& ends, std::vector<unsigned char>& open) {
+                        const std::vector<std::size_t>& ends, std::vector<unsigned char>& marks) {
     const NodeRun run(ranks, ends);
     const int nNodes = static_cast<int>(around.start.size()) - 1;
     const auto ringAt = [&](int i) {
@@ -98,25 +148,14 @@ NodeToNodes nodeToNodes(const std::vector<Simplex<Dim>>& cells, const NodeToCell
     };
     std::vector<int> ring(ringAt(run.last)), count(nNodes, 0);
     NodeToNodes result;
-    open.assign(cells.size() * (Dim + 1), 0);
 #pragma omp parallel if (cells.size() > shortLoop)
     {
-        Found found;
+        std::conditional_t<Dim == 2, RingInPlane, RingInSpace> ringOf{cells, around, marks};
 #pragma omp for schedule(static)
         for (int i = run.first; i < run.last; ++i) {
-            found.clear();
-            for (int s = around.start[i]; s < around.start[i + 1]; ++s)
-                for (int k = 1; k <= Dim; ++k)
-                    found.add(cells[around.cell[s]][(around.corner[s] + k) % (Dim + 1)], around.cell[s]);
-            found.writeSorted(ring.data() + ringAt(i));
-            const std::size_t n = found.node.size();
-            count[i] = static_cast<int>(n);
-            for (std::size_t f = 0; f < n; ++f) {
-                if (Dim != 2 || found.times[f] > 1 || found.node[f] < i) continue;
-                const auto& s = cells[found.cell[f]];
-                for (int k = 0; k <= Dim; ++k)
-                    if (s[k] != i && s[k] != found.node[f]) open[found.cell[f] * (Dim + 1) + k] = 1;
-            }
+            const std::vector<int>& nodes = ringOf(i);
+            writeSorted(nodes, ring.data() + ringAt(i));
+            count[i] = static_cast<int>(nodes.size());
         }
     }
     ranks.complete(count, ends);
@@ -153,16 +192,18 @@ std::uint64_t otherNodes(const Face<Dim>& face, int lowest) {
     return low << 32 | high;
 }
 
-/// Faces of one cell alone. Each face is looked for among those whose lowest node is the same, one of the run.
-template <int Dim>
+/// Faces of one cell alone. Each face is looked for among those whose lowest node is the same, one of the run that is
+/// not inside.
+template <int Dim, class IsInside>
 std::vector<unsigned char> openFaces(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around,
-                                     const NodeRun& run) {
+                                     const NodeRun& run, const IsInside& isInside) {
     std::vector<unsigned char> open(cells.size() * (Dim + 1), 0);
 #pragma omp parallel if (cells.size() > shortLoop)
     {
         std::vector<SeenFace> seen;
 #pragma omp for schedule(static)
         for (int i = run.first; i < run.last; ++i) {
+            if (isInside(i)) continue;
             seen.clear();
             for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
                 const auto& cell = cells[around.cell[s]];
@@ -212,15 +253,19 @@ std::vector<int> openOfAll(const std::vector<unsigned char>& open, const Ranks& 
 template <int Dim>
 std::vector<BoundaryFace<Dim>> boundaryFaces(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around) {
     const Ranks alone;
-    return facesAt<Dim>(cells, listOf(openFaces<Dim>(cells, around, {alone, nodeRuns(alone, around)})));
+    return facesAt<Dim>(
+        cells, listOf(openFaces<Dim>(cells, around, {alone, nodeRuns(alone, around)}, [](int) { return false; })));
 }
 
 template <int Dim>
 Surroundings<Dim> surroundings(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around, const Ranks& ranks) {
     const auto ends = nodeRuns(ranks, around);
-    std::vector<unsigned char> open;  // in the plane an edge of one triangle alone is a face without a neighbour
-    auto ring = nodeToNodes<Dim>(cells, around, ranks, ends, open);
-    if (Dim != 2) open = openFaces<Dim>(cells, around, {ranks, ends});
+    std::vector<unsigned char> open, marks(Dim == 2 ? 3 * cells.size() : around.start.size() - 1, 0);
+    auto ring = nodeToNodes<Dim>(cells, around, ranks, ends, marks);
+    if (Dim == 2)
+        open = std::move(marks);
+    else
+        open = openFaces<Dim>(cells, around, {ranks, ends}, [&](int i) { return marks[i] != 0; });
     return {std::move(ring), facesAt<Dim>(cells, openOfAll(open, ranks))};
 }
 

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <random>
 #include <set>
 #include <tuple>
 
@@ -70,6 +72,44 @@ TEST(Adjacency, cellsAndNodesAroundANode) {
         EXPECT_EQ(boundary[k].nodes, faces[k].nodes);
         EXPECT_EQ(boundary[k].cell, faces[k].cell);
         EXPECT_EQ(boundary[k].opposite, faces[k].opposite);
+    }
+}
+
+/// A lattice of cubes of six tetrahedra each, of which some are missing: nodes around which all cells are there are
+/// told by Euler's formula, the others' faces are looked for; boundaryFaces() looks for all.
+TEST(Adjacency, openFacesAreFoundAroundAllNodesInSpace) {
+    constexpr int m = 7, nNodes = m * m * m;
+    std::mt19937 random(2);
+    for (const double kept : {0.05, 0.5, 0.9, 0.99, 1.0}) {
+        std::vector<Simplex<3>> cells;
+        for (int corner = 0; corner < nNodes; ++corner) {
+            if (corner % m == m - 1 || corner / m % m == m - 1 || corner / (m * m) == m - 1) continue;
+            std::array<int, 3> step{1, m, m * m};
+            do {
+                const int b = corner + step[0], c = b + step[1];
+                if (std::uniform_real_distribution<>(0, 1)(random) < kept) cells.push_back({corner, b, c, c + step[2]});
+            } while (std::next_permutation(step.begin(), step.end()));
+        }
+        const auto around = nodeToCells<3>(cells, nNodes);
+        const auto [ring, boundary] = surroundings<3>(cells, around);
+        const auto faces = boundaryFaces<3>(cells, around);
+        ASSERT_EQ(boundary.size(), faces.size()) << kept;
+        if (kept == 1.0) {
+            EXPECT_EQ(faces.size(), 12u * (m - 1) * (m - 1));
+        }
+        for (std::size_t k = 0; k < faces.size(); ++k) {
+            EXPECT_EQ(boundary[k].nodes, faces[k].nodes);
+            EXPECT_EQ(boundary[k].cell, faces[k].cell);
+            EXPECT_EQ(boundary[k].opposite, faces[k].opposite);
+        }
+        std::vector<std::set<int>> expected(nNodes);
+        for (const auto& cell : cells)
+            for (const int i : cell)
+                for (const int j : cell)
+                    if (i != j) expected[i].insert(j);
+        for (int i = 0; i < nNodes; ++i)
+            EXPECT_EQ(std::vector<int>(ring.node.begin() + ring.start[i], ring.node.begin() + ring.start[i + 1]),
+                      std::vector<int>(expected[i].begin(), expected[i].end()));
     }
 }
 
