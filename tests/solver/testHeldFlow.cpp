@@ -103,6 +103,24 @@ TEST(HeldFlow, forceIsTheAcceleration) {
     EXPECT_NEAR(totalVolume<2>(c.state), volume, 1e-7);
 }
 
+// The same in space.
+TEST(HeldFlow, forceIsTheAccelerationInSpace) {
+    TestCase3 c = trough({2, 0, 0});
+    const auto text =
+        Dictionary::parse("meanVelocity { type table; values ((0 (2 0 0)) (0.1 (2.5 0 0))); }", "periodic");
+    c.problem.flow = heldFlowOf<3>(text, c.problem.period);
+    c.tolerance(1e-8);
+    c.start(0.01);
+    for (int n = 0; n < 10; ++n) {
+        const auto report = c.step(0.02);
+        EXPECT_NEAR(report.step.drive[0], n < 5 ? 5 : 0, 1e-5) << n;
+        const auto flow = fluidFlow<3>(c.state);
+        EXPECT_NEAR(flow.integral[0] / flow.volume, std::min(2.5, 2.1 + 0.1 * n), 1e-7);
+        const double power = n < 5 ? 1000 * flow.volume * 5 * flow.integral[0] / flow.volume : 0;
+        EXPECT_NEAR(energyPowers<3>(c.problem, c.controls, c.state).drive, power, 1e-3 * 1000 * flow.volume * 5 * 2);
+    }
+}
+
 // A block on which the channel's water parts: pressure answers to the force, too.
 TEST(HeldFlow, roundABlock) {
     TestCase c = periodic(

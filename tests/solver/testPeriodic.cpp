@@ -3,11 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "conditions/sides.hpp"
-#include "mesher/space/readSpaceDict.hpp"
-#include "mesher/space/spaceMesher.hpp"
 #include "periodicCases.hpp"
 #include "state/volume.hpp"
-#include "support/cases3.hpp"
 
 using namespace pfem;
 using namespace pfem::test;
@@ -220,23 +217,8 @@ TEST(PeriodicSides, refused) {
 // ---- in space: a stream in a trough
 
 TEST(PeriodicSides, uniformStreamInSpace) {
-    const auto description = readSpaceDict(
-        Dictionary::parse("dimension 3; meshSize 0.15; geometry { box { type box; min (0 0 0); max (1.5 0.45 0.3); } "
-                          "ground { type box; min (-1 0 0); max (3 0.45 1); } } "
-                          "bodies { oil { type fluid; material oil; geometry box; } } "
-                          "walls { floor { geometry ground; open (xMin xMax zMax); } }",
-                          "meshDict"),
-        {"oil"}, "");
-    TestCase3 c;
-    c.state = buildSpaceMesh(description).state;
     const Vec<3> stream(2, 0, 0);
-    for (auto& v : c.state.nodes.v) v = stream;
-    c.problem.materials =
-        readMaterials(Dictionary::parse("oil { type newtonian; rho 1000; mu 1; kappa 1e9; }", "materials"));
-    c.problem.conditions = readBoundaryConditions<3>(Dictionary::parse("floor { type slip; }", "boundaryConditions"),
-                                                     c.state.mesh.patches);
-    c.problem.gravity = {0, 0, -9.81};
-    c.problem.period.length = {1.5, 0, 0};
+    TestCase3 c = trough(stream);
     c.tolerance(1e-6);
     c.start(0.01);
     const double volume = totalVolume<3>(c.state);
