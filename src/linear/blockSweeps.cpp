@@ -5,12 +5,11 @@
 
 namespace pfem {
 
-BlockSweeps::BlockSweeps(const SparseRows& A, RankRows rows)
-    : rows_(std::move(rows)), diagonal_(A.n()), start_(A.n() + 1) {
+BlockSweeps::BlockSweeps(const SparseRows& A) : diagonal_(A.n()), start_(A.n() + 1), meets_(), others_() {
     constexpr int leastRows = 500, mostBlocks = 8;
     const std::int64_t nBlocks = std::clamp(A.n() / leastRows, 1, mostBlocks);
-    for (std::int64_t block = 1; block <= nBlocks; ++block) ends_.push_back(static_cast<int>(block * A.n() / nBlocks));
-    const int firstOwn = rows_.begin();
+    for (std::int64_t block = 1; block <= nBlocks; ++block)
+        ends_.push_back(static_cast<int>(block * A.n() / nBlocks));
     std::vector<SparseRows> othersOf(size());
     std::vector<std::vector<int>> meets(size());
     parallelTasks(size(), [&](int block) {
@@ -18,14 +17,14 @@ BlockSweeps::BlockSweeps(const SparseRows& A, RankRows rows)
         for (int i = begin; i < end; ++i) {
             double added = 0, d = 0;
             for (int s = A.start[i]; s < A.start[i + 1]; ++s) {
-                const int j = A.column[s] - firstOwn;
+                const int j = A.column[s];
                 if (j == i) {
                     d = A.value[s];
                 } else if (j >= begin && j < end) {
                     start_[i + 1] += j < i;
                 } else {
                     added += 0.5 * std::abs(A.value[s]);
-                    othersOf[block].column.push_back(A.column[s]);
+                    othersOf[block].column.push_back(j);
                     othersOf[block].value.push_back(A.value[s]);
                 }
             }
@@ -41,21 +40,15 @@ BlockSweeps::BlockSweeps(const SparseRows& A, RankRows rows)
     parallelTasks(size(), [&](int block) {
         for (int i = first(block); i < ends_[block]; ++i) {
             int t = start_[i];
-            for (int s = A.start[i]; A.column[s] < firstOwn + i; ++s) {
-                if (A.column[s] < firstOwn + first(block)) continue;
-                column_[t] = A.column[s] - firstOwn;
+            for (int s = A.start[i]; A.column[s] < i; ++s) {
+                if (A.column[s] < first(block)) continue;
+                column_[t] = A.column[s];
                 value_[t++] = static_cast<float>(A.value[s]);
             }
         }
     });
-    for (const auto& those : meets) meets_.insert(meets_.end(), those.begin(), those.end());
+    for (const auto& rows : meets) meets_.insert(meets_.end(), rows.begin(), rows.end());
     others_ = joined(othersOf);
-}
-
-void BlockSweeps::subtractOthers(const Eigen::VectorXd& x, Eigen::VectorXd& r) const {
-    const Eigen::VectorXd ofAll = rows_.ranks.isAlone() ? Eigen::VectorXd() : rows_.all(x);
-    const double* const from = rows_.ranks.isAlone() ? x.data() : ofAll.data();
-    parallelFor(static_cast<int>(meets_.size()), [&](int k) { r[meets_[k]] -= others_.product(k, from); });
 }
 
 void BlockSweeps::forward(const Eigen::VectorXd& b, Eigen::VectorXd& x, Eigen::VectorXd& r) const {
@@ -68,12 +61,12 @@ void BlockSweeps::forward(const Eigen::VectorXd& b, Eigen::VectorXd& x, Eigen::V
             r[i] = diagonal_[i].added * xi;
         }
     });
-    subtractOthers(x, r);
+    parallelFor(static_cast<int>(meets_.size()), [&](int k) { r[meets_[k]] -= others_.product(k, x.data()); });
 }
 
 void BlockSweeps::backward(const Eigen::VectorXd& b, Eigen::VectorXd& x, Eigen::VectorXd& t) const {
     parallelFor(static_cast<int>(diagonal_.size()), [&](int i) { t[i] = b[i] + diagonal_[i].added * x[i]; });
-    subtractOthers(x, t);
+    parallelFor(static_cast<int>(meets_.size()), [&](int k) { t[meets_[k]] -= others_.product(k, x.data()); });
     parallelTasks(size(), [&](int block) {
         for (int i = ends_[block]; i-- > first(block);) {
             double sum = 0;

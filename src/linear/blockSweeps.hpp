@@ -1,7 +1,7 @@
 #pragma once
 // Gauss and Seidel's sweeps in blocks of rows at the same time: their bits do not depend on the number of threads.
 
-#include "linear/rankRows.hpp"
+#include "linear/sparseRows.hpp"
 
 namespace pfem {
 
@@ -14,11 +14,10 @@ namespace pfem {
 class BlockSweeps {
 public:
     BlockSweeps() = default;
-    /// Columns of A ascending, its diagonal among them. Of ranks: own rows, what meets those of others is of other
-    /// blocks.
-    explicit BlockSweeps(const SparseRows& A, RankRows rows = {});
+    /// Columns of A ascending, its diagonal among them.
+    explicit BlockSweeps(const SparseRows& A);
 
-    /// x = M^{-1} b, r = b - A x = (M - A) x. Of own rows, here and below (collective).
+    /// x = M^{-1} b, r = b - A x = (M - A) x.
     void forward(const Eigen::VectorXd& b, Eigen::VectorXd& x, Eigen::VectorXd& r) const;
 
     /// x += M^{-T} (b - A x). `t`: memory of the same size.
@@ -30,10 +29,7 @@ private:
     };
     int first(int block) const { return block == 0 ? 0 : ends_[block - 1]; }
     int size() const { return static_cast<int>(ends_.size()); }
-    /// r -= what is of other blocks, times x.
-    void subtractOthers(const Eigen::VectorXd& x, Eigen::VectorXd& r) const;
 
-    RankRows rows_;
     std::vector<int> ends_;  // of the blocks
     std::vector<Diagonal> diagonal_;
     std::vector<int> start_, column_;  // of L

@@ -19,24 +19,20 @@ SymmetricMatrix lowerTriangle(const SparseRows& A) {
 
 }  // namespace
 
-Levels::Levels(SparseRows A, RankRows rows) : rows_(std::move(rows)), A_(std::move(A)) {
+Levels::Levels(SparseRows A) : A_(std::move(A)) {
     constexpr int fewRows = 100;
     SparseRows coarse;
     const SparseRows* current = &A_;
-    RankRows share = rows_;
-    while (current->n() > fewRows || !share.ranks.isAlone()) {
-        const Aggregates joined = aggregates(*current, share);
-        const bool isUseful = joined.count > 0 && 2 * joined.count <= current->n();
-        if (!isUseful && share.ranks.isAlone()) break;
-        Level level{BlockSweeps(*current, share), prolongation(*current, joined, share), {}};
+    while (current->n() > fewRows) {
+        const Aggregates joined = aggregates(*current);
+        if (joined.count == 0 || 2 * joined.count > current->n()) break;
+        Level level{BlockSweeps(*current), prolongation(*current, joined), {}};
         level.restriction = transposed(level.prolongation, joined.count);
-        SparseRows next = coarseMatrix(*current, level.prolongation, level.restriction, share);
+        SparseRows next = coarseMatrix(*current, level.prolongation, level.restriction);
         levels_.push_back(std::move(level));
         coarse = std::move(next);
         current = &coarse;
-        share = {};
     }
-    if (current->n() == 0) return;
     SymmetricMatrix lower = lowerTriangle(*current);
     constexpr double little = 1e-12;  // no pivot vanishes where the pressure is known but for a constant
     for (int j = 0; j < lower.n; ++j) lower.value[lower.start[j]] *= 1 + little;
@@ -47,12 +43,11 @@ Levels::Levels(SparseRows A, RankRows rows) : rows_(std::move(rows)), A_(std::mo
 Eigen::VectorXd Levels::cycle(const Eigen::VectorXd& b) const { return cycle(0, b); }
 
 Eigen::VectorXd Levels::cycle(std::size_t level, const Eigen::VectorXd& b) const {
-    if (level == levels_.size()) return b.size() > 0 ? factor_.solve(b) : b;
+    if (level == levels_.size()) return factor_.solve(b);
     const SparseRows& P = levels_[level].prolongation;
     Eigen::VectorXd x(P.n()), r(P.n());
     levels_[level].sweeps.forward(b, x, r);
-    const Eigen::VectorXd left = multiply(levels_[level].restriction, r);
-    const Eigen::VectorXd y = cycle(level + 1, level == 0 ? rows_.sum(left) : left);
+    const Eigen::VectorXd y = cycle(level + 1, multiply(levels_[level].restriction, r));
     parallelFor(P.n(), [&](int i) { x[i] += P.product(i, y.data()); });
     levels_[level].sweeps.backward(b, x, r);
     return x;

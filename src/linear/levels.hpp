@@ -7,17 +7,16 @@
 
 namespace pfem {
 
-/// V cycle: a forward sweep, what is left on the next level, a backward sweep; a factor on the last. It is symmetric
-/// and positive definite where A is.
+/// V cycle: a forward sweep, what is left on the next level, a backward sweep; a factor on the last. It is symmetric and
+/// positive definite where A is.
 class Levels {
 public:
-    /// Columns of A ascending, its diagonal among them; own rows of ranks, which share the first level and have the
-    /// others each (collective, as the cycle). Throws StepFailure when the last level's matrix is singular.
-    explicit Levels(SparseRows A, RankRows rows = {});
+    /// Columns of A ascending, its diagonal among them. Throws StepFailure when the last level's matrix is singular.
+    explicit Levels(SparseRows A);
 
     const SparseRows& matrix() const { return A_; }
 
-    /// An approximate inverse of A, times b; own rows.
+    /// An approximate inverse of A, times b.
     Eigen::VectorXd cycle(const Eigen::VectorXd& b) const;
 
 private:
@@ -27,7 +26,6 @@ private:
     };
     Eigen::VectorXd cycle(std::size_t level, const Eigen::VectorXd& b) const;
 
-    RankRows rows_;
     SparseRows A_;
     std::vector<Level> levels_;  // but for the last
     Ldlt factor_;

@@ -8,30 +8,42 @@
 
 namespace pfem {
 
-/// x of A x = b for symmetric positive definite matrices, by one multigrid for many right-hand sides.
-class Multigrid {
+/// x of A x = b for symmetric positive definite matrices, by one preconditioner for many right-hand sides.
+class IterativeSolver {
 public:
     using Operator = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 
-    /// `tolerance`: of the preconditioned residual, beside that of b. `rows`: who has which; all ranks have all of b
-    /// and x (collective).
-    explicit Multigrid(double tolerance, RankRows rows = {}) : tolerance_(tolerance), rows_(std::move(rows)) {}
+    virtual ~IterativeSolver() = default;
 
-    /// The levels for `A`, own rows with ascending columns. `apply`: the operator that is solved with them, on all
-    /// unknowns, if it is not A.
-    void setUp(SparseRows A, Operator apply = {});
+    /// The preconditioner of `A`, own rows with ascending columns. `apply`: the operator that is solved with it, if it
+    /// is not A.
+    virtual void setUp(SparseRows A, Operator apply) = 0;
 
     /// Throws StepFailure when the iteration does not converge.
-    Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+    virtual Eigen::VectorXd solve(const Eigen::VectorXd& b) const = 0;
 
-    int iterations() const { return iterations_; }  // of the last solution
+    virtual int iterations() const = 0;  // of the last solution
+
+protected:
+    IterativeSolver() = default;
+    IterativeSolver(const IterativeSolver&) = default;
+    IterativeSolver(IterativeSolver&&) = default;
+    IterativeSolver& operator=(const IterativeSolver&) = default;
+    IterativeSolver& operator=(IterativeSolver&&) = default;
+};
+
+/// In one process.
+class Multigrid : public IterativeSolver {
+public:
+    /// `tolerance`: of the preconditioned residual, beside that of b.
+    explicit Multigrid(double tolerance) : tolerance_(tolerance) {}
+
+    void setUp(SparseRows A, Operator apply = {}) override;
+    Eigen::VectorXd solve(const Eigen::VectorXd& b) const override;
+    int iterations() const override { return iterations_; }
 
 private:
-    Eigen::VectorXd product(const Eigen::VectorXd& own) const;
-    double dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
-
     double tolerance_;
-    RankRows rows_;
     std::unique_ptr<Levels> levels_;
     Operator apply_;
     mutable int iterations_ = 0;

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "linear/multigrid.hpp"
-#include "linear/saddle.hpp"
+#include "linear/rankRows.hpp"
 #include "linear/symmetricSolver.hpp"
 
 namespace pfem {
@@ -37,7 +37,7 @@ private:
     ElasticInverse elastic_;
     Saddle saddle_;
     RankRows rows_;
-    Multigrid multigrid_;
+    std::unique_ptr<IterativeSolver> multigrid_;
 };
 
 }  // namespace pfem

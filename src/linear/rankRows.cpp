@@ -10,13 +10,4 @@ Eigen::VectorXd RankRows::all(const Eigen::VectorXd& own) const {
     return Eigen::Map<const Eigen::VectorXd>(rows.data(), static_cast<Eigen::Index>(rows.size()));
 }
 
-Eigen::VectorXd RankRows::sum(const Eigen::VectorXd& mine) const {
-    if (ranks.isAlone()) return mine;
-    const std::vector<double> each = ranks.gather(std::vector<double>(mine.begin(), mine.end()));
-    Eigen::VectorXd sum = Eigen::VectorXd::Zero(mine.size());
-    for (int rank = 0; rank < ranks.size(); ++rank)
-        sum += Eigen::Map<const Eigen::VectorXd>(each.data() + rank * mine.size(), mine.size());
-    return sum;
-}
-
 }  // namespace pfem

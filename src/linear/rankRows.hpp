@@ -1,7 +1,7 @@
 #pragma once
 // Which ranks have which rows of a matrix.
 
-#include "linear/sparseRows.hpp"
+#include "linear/saddle.hpp"
 #include "parallel/ranks.hpp"
 
 namespace pfem {
@@ -16,9 +16,6 @@ struct RankRows {
 
     /// Numbers of all rows from those of own rows (collective).
     Eigen::VectorXd all(const Eigen::VectorXd& own) const;
-
-    /// The ranks' vectors added, the same bits in all (collective).
-    Eigen::VectorXd sum(const Eigen::VectorXd& mine) const;
 };
 
 }  // namespace pfem

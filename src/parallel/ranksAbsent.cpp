@@ -7,7 +7,7 @@
 
 namespace pfem {
 
-Ranks Ranks::all() { throw UserError("This build has no MPI (CMake's PFEM_RANKS): run without -parallel."); }
+Ranks Ranks::all() { throw UserError("This build has no MPI (CMake's PFEM_PETSC): run without -parallel."); }
 void Ranks::abort(int exitCode) const { std::_Exit(exitCode); }
 void Ranks::broadcast(void*, std::size_t) const {}
 std::vector<std::size_t> Ranks::endsOf(std::size_t mine) const { return {mine}; }

@@ -60,7 +60,7 @@ Eigen::MatrixXd dense(const SparseRows& A, int nColumns) {
 /// than four links from each other.
 TEST(Levels, aggregatesHoldNeighbours) {
     const SparseRows A = shuffledSquare(20, 1);
-    const Aggregates joined = aggregates(A, {});
+    const Aggregates joined = aggregates(A);
     EXPECT_EQ(joined.of.back(), -1);
     std::vector<int> size(joined.count, 0);
     for (int i = 0; i + 1 < A.n(); ++i) {
@@ -81,15 +81,15 @@ TEST(Levels, aggregatesHoldNeighbours) {
 /// Where rows sum to zero, constants come from constants; P^T A P.
 TEST(Levels, coarseMatrixIsThatOfTheProlongation) {
     const SparseRows A = shuffledSquare(20, 1);
-    const Aggregates joined = aggregates(A, {});
-    const SparseRows P = prolongation(A, joined, {}), R = transposed(P, joined.count);
+    const Aggregates joined = aggregates(A);
+    const SparseRows P = prolongation(A, joined), R = transposed(P, joined.count);
     const Eigen::MatrixXd denseP = dense(P, joined.count), denseA = dense(A, A.n());
     EXPECT_LT((dense(R, A.n()) - denseP.transpose()).norm(), 1e-15);
     const Eigen::VectorXd one = denseP * Eigen::VectorXd::Ones(joined.count);
     for (int i = 1; i + 1 < A.n(); ++i) EXPECT_NEAR(one[i], 1, 1e-14) << i;
     EXPECT_EQ(one[A.n() - 1], 0);
     const Eigen::MatrixXd coarse = denseP.transpose() * denseA * denseP;
-    EXPECT_LT((dense(coarseMatrix(A, P, R, {}), joined.count) - coarse).norm(), 1e-14 * coarse.norm());
+    EXPECT_LT((dense(coarseMatrix(A, P, R), joined.count) - coarse).norm(), 1e-14 * coarse.norm());
     // smoothed: functions one on an aggregate have less energy
     Eigen::MatrixXd unsmoothed = Eigen::MatrixXd::Zero(A.n(), joined.count);
     for (int i = 0; i + 1 < A.n(); ++i) unsmoothed(i, joined.of[i]) = 1;

@@ -1,5 +1,6 @@
 // Multigrid for the pressures of [K B; B^T -M] against a direct factor.
 
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 #include <omp.h>
 
@@ -13,6 +14,7 @@
 #include "base/error.hpp"
 #include "linear/dissectedLdlt.hpp"
 #include "linear/multigridSolver.hpp"
+#include "linear/rankMultigrid.hpp"
 #include "linear/solvers.hpp"
 
 using namespace pfem;
@@ -219,6 +221,29 @@ TEST(MultigridOnCube, bitsDoNotDependOnThreads) {
     }
     omp_set_num_threads(threads);
     EXPECT_EQ(x[0], x[1]);
+}
+
+/// PETSc's levels, by one rank alone, against ours.
+TEST(RankMultigridOnCube, agreesWithThatOfOneProcess) {
+    const Sample s = cube(32, 0.3, 1);
+    const int nP = s.sizes.nPressures;
+    const SparseRows S = eliminateDiagonal(split(s.A, {nP, 0}));
+    std::unique_ptr<IterativeSolver> byRanks;
+    try {
+        byRanks = rankMultigrid(1e-10, {Ranks(), {static_cast<std::size_t>(nP)}});
+    } catch (const InternalError&) {
+        GTEST_SKIP() << "a build without PETSc";
+    }
+    Multigrid alone(1e-10);
+    byRanks->setUp(S, {});
+    alone.setUp(S);
+    const Eigen::VectorXd b = someRight(nP), x = byRanks->solve(b);
+    EXPECT_LT((x - alone.solve(b)).norm(), 1e-8 * x.norm());
+    EXPECT_EQ(x, byRanks->solve(b));
+    const auto ofBlas = reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, "openblas_get_num_threads"));
+    if (ofBlas) {
+        EXPECT_EQ(ofBlas(), 1);
+    }
 }
 
 TEST(MultigridOnCube, saysThatItDoesNotConverge) {
