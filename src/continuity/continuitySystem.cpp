@@ -259,7 +259,7 @@ template <int Dim>
 bool byMultigrid(const ContinuityControls& controls, int nPressures, int nElastic) {
     constexpr int many = 20000, manyElastic = 1000;
     if (controls.solver != "auto") return controls.solver == "multigrid";
-    return Dim == 3 && (nPressures > many || nElastic > manyElastic);
+    return Dim == 3 && (nPressures > many || nElastic > manyElastic) && hasMultigrid();
 }
 
 /// The pressures of each rank's own nodes, or equal numbers.

@@ -46,7 +46,7 @@ struct ContinuityControls {
           "lacks",
           oneOf({"single", "double"}));
         v("solver", solver, "-",
-          "of the pressure matrix: a direct factor, multigrid (conjugate gradients with smoothed aggregation), "
+          "of the pressure matrix: a direct factor, multigrid (conjugate gradients with PETSc's smoothed aggregation), "
           "or "
           "auto: multigrid in three dimensions for more than 20000 pressures or 1000 elastic velocities",
           oneOf({"auto", "direct", "multigrid"}));

@@ -1,52 +1,40 @@
 #pragma once
-// Conjugate gradients preconditioned by algebraic multigrid (smoothed aggregation).
+// Conjugate gradients preconditioned by algebraic multigrid (PETSc's smoothed aggregation).
 
 #include <functional>
 #include <memory>
 
-#include "linear/levels.hpp"
+#include "linear/rankRows.hpp"
+#include "linear/saddle.hpp"
 
 namespace pfem {
 
-/// x of A x = b for symmetric positive definite matrices, by one preconditioner for many right-hand sides.
-class IterativeSolver {
+/// Is PETSc in this build (CMake's PFEM_PETSC)?
+bool hasMultigrid();
+
+/// x of A x = b for symmetric positive definite matrices, by one multigrid for many right-hand sides.
+class Multigrid {
 public:
     using Operator = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 
-    virtual ~IterativeSolver() = default;
+    /// `tolerance`: of the preconditioned residual, beside that of b. `rows`: who has which; all ranks have all of b
+    /// and x. Throws UserError in a build without PETSc.
+    explicit Multigrid(double tolerance, RankRows rows = {});
+    ~Multigrid();
 
-    /// The preconditioner of `A`, own rows with ascending columns. `apply`: the operator that is solved with it, if it
-    /// is not A.
-    virtual void setUp(SparseRows A, Operator apply) = 0;
+    /// The levels for `A`, own rows with ascending columns. `apply`: the operator that is solved with them, if it is
+    /// not A. Where there are several threads, one of their own makes them beside what comes next, until the first
+    /// solution.
+    void setUp(SparseRows A, Operator apply = {});
 
     /// Throws StepFailure when the iteration does not converge.
-    virtual Eigen::VectorXd solve(const Eigen::VectorXd& b) const = 0;
+    Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 
-    virtual int iterations() const = 0;  // of the last solution
-
-protected:
-    IterativeSolver() = default;
-    IterativeSolver(const IterativeSolver&) = default;
-    IterativeSolver(IterativeSolver&&) = default;
-    IterativeSolver& operator=(const IterativeSolver&) = default;
-    IterativeSolver& operator=(IterativeSolver&&) = default;
-};
-
-/// In one process.
-class Multigrid : public IterativeSolver {
-public:
-    /// `tolerance`: of the preconditioned residual, beside that of b.
-    explicit Multigrid(double tolerance) : tolerance_(tolerance) {}
-
-    void setUp(SparseRows A, Operator apply = {}) override;
-    Eigen::VectorXd solve(const Eigen::VectorXd& b) const override;
-    int iterations() const override { return iterations_; }
+    int iterations() const;  // of the last solution
 
 private:
-    double tolerance_;
-    std::unique_ptr<Levels> levels_;
-    Operator apply_;
-    mutable int iterations_ = 0;
+    struct Petsc;
+    std::unique_ptr<Petsc> petsc_;
 };
 
 }  // namespace pfem

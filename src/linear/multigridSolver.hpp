@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "linear/multigrid.hpp"
-#include "linear/rankRows.hpp"
 #include "linear/symmetricSolver.hpp"
 
 namespace pfem {
@@ -37,7 +36,7 @@ private:
     ElasticInverse elastic_;
     Saddle saddle_;
     RankRows rows_;
-    std::unique_ptr<IterativeSolver> multigrid_;
+    Multigrid multigrid_;
 };
 
 }  // namespace pfem

@@ -1,7 +1,6 @@
 #include "linear/saddle.hpp"
 
 #include <algorithm>
-#include <tuple>
 
 #include "base/parallel.hpp"
 
@@ -26,6 +25,32 @@ SparseRows byRows(int n, const ForEntries& forEntries) {
     return rows;
 }
 
+/// One row while it is put together.
+class Row {
+public:
+    explicit Row(int nColumns) : at_(nColumns, -1) {}
+
+    void add(int column, double value) {
+        if (at_[column] < 0) {
+            at_[column] = static_cast<int>(entries_.size());
+            entries_.emplace_back(column, 0.0);
+        }
+        entries_[at_[column]].second += value;
+    }
+    const std::vector<std::pair<int, double>>& sorted() {
+        std::sort(entries_.begin(), entries_.end());
+        return entries_;
+    }
+    void clear() {
+        for (const auto& entry : entries_) at_[entry.first] = -1;
+        entries_.clear();
+    }
+
+private:
+    std::vector<int> at_;
+    std::vector<std::pair<int, double>> entries_;
+};
+
 /// The same row at the end of another matrix.
 void appendRow(const SparseRows& A, int i, SparseRows& to) {
     to.column.insert(to.column.end(), A.column.begin() + A.start[i], A.column.begin() + A.start[i + 1]);
@@ -33,7 +58,38 @@ void appendRow(const SparseRows& A, int i, SparseRows& to) {
     to.start.push_back(static_cast<int>(to.column.size()));
 }
 
+/// One matrix of blocks of rows.
+SparseRows joined(const std::vector<SparseRows>& blocks) {
+    struct Begin {
+        int row = 0, entry = 0;
+    };
+    std::vector<Begin> begin(1);
+    for (const SparseRows& block : blocks)
+        begin.push_back({begin.back().row + block.n(), begin.back().entry + block.start.back()});
+    SparseRows A;
+    A.start.resize(static_cast<std::size_t>(begin.back().row) + 1);
+    A.column.resize(begin.back().entry);
+    A.value.resize(begin.back().entry);
+    parallelTasks(static_cast<int>(blocks.size()), [&](int b) {
+        const auto [row, entry] = begin[b];
+        for (int i = 1; i <= blocks[b].n(); ++i) A.start[row + i] = entry + blocks[b].start[i];
+        std::copy(blocks[b].column.begin(), blocks[b].column.end(), A.column.begin() + entry);
+        std::copy(blocks[b].value.begin(), blocks[b].value.end(), A.value.begin() + entry);
+    });
+    return A;
+}
+
 }  // namespace
+
+Eigen::VectorXd multiply(const SparseRows& A, const Eigen::VectorXd& x) {
+    Eigen::VectorXd y(A.n());
+    parallelFor(A.n(), [&](int i) {
+        double sum = 0;
+        for (int s = A.start[i]; s < A.start[i + 1]; ++s) sum += A.value[s] * x[A.column[s]];
+        y[i] = sum;
+    });
+    return y;
+}
 
 SymmetricMatrix diagonalOf(const SymmetricMatrix& A) {
     SymmetricMatrix D = symmetricPattern(std::vector<std::vector<int>>(A.n));
@@ -78,8 +134,10 @@ Saddle split(const SymmetricMatrix& A, const SaddleSizes& sizes) {
 }
 
 SparseRows eliminateDiagonal(const Saddle& saddle, int first, int last) {
+    constexpr int block = 512;
+    const int n = last - first, nBlocks = (n + block - 1) / block;
     const auto meetsVelocities = [&](int i) { return saddle.B.start[i] < saddle.B.start[i + 1]; };
-    const auto forRow = [&](int i, SparseRow& row) {
+    const auto forRow = [&](int i, Row& row) {
         const auto& [K, B, Bt] = std::tie(saddle.K, saddle.B, saddle.Bt);
         for (int s = K.start[i]; s < K.start[i + 1]; ++s) row.add(K.column[s], K.value[s]);
         for (int s = B.start[i]; s < B.start[i + 1]; ++s) {
@@ -88,16 +146,27 @@ SparseRows eliminateDiagonal(const Saddle& saddle, int first, int last) {
             for (int t = Bt.start[q]; t < Bt.start[q + 1]; ++t) row.add(Bt.column[t], factor * Bt.value[t]);
         }
     };
-    return rowByRow(last - first, saddle.K.n(), [&](int own, SparseRow& row, SparseRows& S) {
-        const int i = first + own;
-        if (!meetsVelocities(i)) {
-            appendRow(saddle.K, i, S);
-            return;
-        }
-        forRow(i, row);
-        row.sort();
-        row.moveTo(S);
-    });
+    std::vector<SparseRows> part(nBlocks);
+#pragma omp parallel if (n > shortLoop)
+    {
+        Row row(saddle.K.n());
+#pragma omp for schedule(static)
+        for (int b = 0; b < nBlocks; ++b)
+            for (int i = first + b * block; i < std::min(last, first + (b + 1) * block); ++i) {
+                if (!meetsVelocities(i)) {
+                    appendRow(saddle.K, i, part[b]);
+                    continue;
+                }
+                forRow(i, row);
+                for (const auto& [column, value] : row.sorted()) {
+                    part[b].column.push_back(column);
+                    part[b].value.push_back(value);
+                }
+                part[b].start.push_back(static_cast<int>(part[b].column.size()));
+                row.clear();
+            }
+    }
+    return joined(part);
 }
 
 }  // namespace pfem

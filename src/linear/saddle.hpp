@@ -1,10 +1,21 @@
 #pragma once
 // Pressures and velocities of a quasi-definite matrix [K B; B^T -M], the velocities eliminated: K + B M^{-1} B^T.
 
-#include "linear/sparseRows.hpp"
 #include "linear/symmetricMatrix.hpp"
 
 namespace pfem {
+
+/// A sparse matrix by rows.
+struct SparseRows {
+    std::vector<int> start{0};
+    std::vector<int> column;
+    std::vector<double> value;
+
+    int n() const { return static_cast<int>(start.size()) - 1; }
+};
+
+/// y = A x.
+Eigen::VectorXd multiply(const SparseRows& A, const Eigen::VectorXd& x);
 
 /// The unknowns in their order: pressures (K positive definite), velocities with a matrix M of their own, velocities
 /// whose M is diagonal.

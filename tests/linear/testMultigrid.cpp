@@ -14,7 +14,6 @@
 #include "base/error.hpp"
 #include "linear/dissectedLdlt.hpp"
 #include "linear/multigridSolver.hpp"
-#include "linear/rankMultigrid.hpp"
 #include "linear/solvers.hpp"
 
 using namespace pfem;
@@ -148,8 +147,15 @@ Eigen::VectorXd someRight(int n) {
 
 }  // namespace
 
+class MultigridOnCube : public testing::Test {
+protected:
+    void SetUp() override {
+        if (!hasMultigrid()) GTEST_SKIP() << "a build without PETSc";
+    }
+};
+
 /// All unknowns, right-hand sides of velocities included; soft sheets (stiffness 0.01) are the harder ones.
-TEST(MultigridOnCube, agreesWithTheFactor) {
+TEST_F(MultigridOnCube, agreesWithTheFactor) {
     for (const double stiff : {100.0, 1.0, 0.01}) {
         const Sample s = cube(10, 0.3, stiff);
         const auto direct = dissectedSolver<3>(s.A, s.place, Precision::twofold);
@@ -167,7 +173,7 @@ TEST(MultigridOnCube, agreesWithTheFactor) {
 }
 
 /// From 512 to 32768 pressures the same number of iterations but for four.
-TEST(MultigridOnCube, iterationsDoNotGrowWithTheSize) {
+TEST_F(MultigridOnCube, iterationsDoNotGrowWithTheSize) {
     std::vector<int> iterations;
     for (const int m : {8, 16, 32}) {
         const Sample s = cube(m, 0.3, 1);
@@ -183,7 +189,7 @@ TEST(MultigridOnCube, iterationsDoNotGrowWithTheSize) {
 
 /// Sweeps of blocks of rows that know nothing of each other do not overshoot, in whatever order unknowns are: else the
 /// cycle were indefinite (a dam break with 47 000 pressures ended in steps of 5e-6 s).
-TEST(MultigridOnCube, convergesInAnyOrder) {
+TEST_F(MultigridOnCube, convergesInAnyOrder) {
     for (const double weight : {0.1, 1.0, 10.0}) {
         const SparseRows A = lightVelocities(16, weight);
         Multigrid levels(1e-6);
@@ -195,7 +201,7 @@ TEST(MultigridOnCube, convergesInAnyOrder) {
     }
 }
 
-TEST(MultigridOnCube, repeatsItsBits) {
+TEST_F(MultigridOnCube, repeatsItsBits) {
     const Sample s = cube(12, 0.3, 1);
     Eigen::VectorXd x[2];
     for (Eigen::VectorXd& each : x) {
@@ -207,8 +213,8 @@ TEST(MultigridOnCube, repeatsItsBits) {
     EXPECT_EQ(x[0], x[1]);
 }
 
-/// 32768 pressures: all loops of the levels are shared.
-TEST(MultigridOnCube, bitsDoNotDependOnThreads) {
+/// 32768 pressures: sums of so many are shared by BLAS, too.
+TEST_F(MultigridOnCube, bitsDoNotDependOnThreads) {
     const Sample s = cube(32, 0.3, 1);
     const int threads = omp_get_max_threads();
     Eigen::VectorXd x[2];
@@ -221,32 +227,13 @@ TEST(MultigridOnCube, bitsDoNotDependOnThreads) {
     }
     omp_set_num_threads(threads);
     EXPECT_EQ(x[0], x[1]);
-}
-
-/// PETSc's levels, by one rank alone, against ours.
-TEST(RankMultigridOnCube, agreesWithThatOfOneProcess) {
-    const Sample s = cube(32, 0.3, 1);
-    const int nP = s.sizes.nPressures;
-    const SparseRows S = eliminateDiagonal(split(s.A, {nP, 0}));
-    std::unique_ptr<IterativeSolver> byRanks;
-    try {
-        byRanks = rankMultigrid(1e-10, {Ranks(), {static_cast<std::size_t>(nP)}});
-    } catch (const InternalError&) {
-        GTEST_SKIP() << "a build without PETSc";
-    }
-    Multigrid alone(1e-10);
-    byRanks->setUp(S, {});
-    alone.setUp(S);
-    const Eigen::VectorXd b = someRight(nP), x = byRanks->solve(b);
-    EXPECT_LT((x - alone.solve(b)).norm(), 1e-8 * x.norm());
-    EXPECT_EQ(x, byRanks->solve(b));
     const auto ofBlas = reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, "openblas_get_num_threads"));
     if (ofBlas) {
         EXPECT_EQ(ofBlas(), 1);
     }
 }
 
-TEST(MultigridOnCube, saysThatItDoesNotConverge) {
+TEST_F(MultigridOnCube, saysThatItDoesNotConverge) {
     Sample s = cube(6, 0.3, 1);
     for (int j = 0; j < s.sizes.nPressures; ++j) s.A.add(j, j, -8);  // no longer definite
     MultigridSolver solver = multigridSolver(s, 1e-10);
