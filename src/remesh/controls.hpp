@@ -55,6 +55,7 @@ struct RemeshingControls {
     double distortion = 0;
     double surfaceShift = 0.05;
     bool letGo = true;
+    bool keepMomentum = false;
 
     template <class Visitor>
     void entries(Visitor& v) {
@@ -77,6 +78,9 @@ struct RemeshingControls {
           "a drop goes when it has left the box of walls, solids and the rest of the fluid and can never come back "
           "(under a gravity that "
           "stays as it is); its volume is the ledger's cause gone",
+          any);
+        v("keepMomentum", keepMomentum, "-",
+          "regions of triangles that are meshed anew keep their mean velocity: nodes that go take no momentum along",
           any);
         v("distortion", distortion, "-",
           "remesh when the least quality of a fluid triangle falls below this; 0 = every step", nonNegative);

@@ -11,6 +11,7 @@
 #include "remesh/fixedFaces.hpp"
 #include "remesh/heirs.hpp"
 #include "remesh/joinDrops.hpp"
+#include "remesh/keepMomentum.hpp"
 #include "remesh/lostVolume.hpp"
 #include "remesh/newPlaces.hpp"
 #include "remesh/nodeControl.hpp"
@@ -237,6 +238,8 @@ RemeshReport<Dim> remesh(RemeshTask<Dim> task, Triangulator<Dim>& triangulator, 
     const std::vector<PatchKind>& kinds = task.kinds;
     MovedMesh<Dim> moved = movedMesh<Dim>(state, std::move(task.topology), task.gone);
     joinDrops<Dim>(controls, moved, state);
+    const Points<Dim> vOld = controls.keepMomentum ? state.nodes.v : Points<Dim>();
+    const int nOldCells = nOwnCells<Dim>(state);
     for (const int drop : squeezeDrops<Dim>(task.pinched, moved)) task.gone.push_back(drop);
     const double drops = std::accumulate(moved.dropVolume.begin(), moved.dropVolume.end(), 0.0);
     bookGone<Dim>(moved, task.gone, state);
@@ -269,6 +272,9 @@ RemeshReport<Dim> remesh(RemeshTask<Dim> task, Triangulator<Dim>& triangulator, 
     if (task.sides) keepOwn<Dim>(state, selected);
     state.mesh.fluid.nodes = selected.fluid;
     state.mesh.fluid.material.assign(selected.fluid.size(), material);
+    Points<Dim> missing;
+    if (controls.keepMomentum)
+        missing = missingVelocity<Dim>(moved, vOld, nOldCells, newIndex, selected.changes, state);
     if (task.sides) setCopies<Dim>(*task.sides, state);
     moved.images.hide(moved.topology.freeSurface);  // what is changed there is changed at the masters
 
@@ -285,6 +291,7 @@ RemeshReport<Dim> remesh(RemeshTask<Dim> task, Triangulator<Dim>& triangulator, 
     report.inserted = static_cast<int>(plan.inserted.size());
     report.contacts = cellsOf<Dim>(selected.changes, VolumeCause::contact);
     report.gaps = selected.gaps;
+    report.missing = std::move(missing);
     return report;
 }
 

@@ -22,6 +22,7 @@ template <int Dim>
 struct RemeshReport : NodeChanges {
     std::vector<Simplex<Dim>> contacts;  // cells that were accepted outside the moved old mesh
     std::vector<Simplex<Dim>> gaps;      // what may soon become one
+    Points<Dim> missing;                 // velocity, by `keepMomentum`: of the new nodes [m/s]; else empty
 };
 
 /// What a remeshing is to do.

@@ -1,6 +1,7 @@
 #include "solver/remeshingRules.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "conditions/inflow.hpp"
@@ -14,6 +15,7 @@
 #include "solver/courantRate.hpp"
 #include "solver/fluidEnergy.hpp"
 #include "solver/impact.hpp"
+#include "solver/invariants.hpp"
 #include "walls/dryInlets.hpp"
 #include "walls/landing.hpp"
 #include "walls/openings.hpp"
@@ -158,6 +160,34 @@ void reconnect(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutco
                                        c.triangulator, state);
 }
 
+/// v + dv, or as much of dv as leaves the speed within `limit`, that of v at least.
+template <int Dim>
+Vec<Dim> fasterBy(const Vec<Dim>& v, const Vec<Dim>& dv, double limit) {
+    const double room = std::max(limit * limit - v.squaredNorm(), 0.0), a = dv.squaredNorm(), b = v.dot(dv);
+    return a + 2 * b <= room ? Vec<Dim>(v + dv) : Vec<Dim>(v + (std::sqrt(b * b + a * room) - b) / a * dv);
+}
+
+/// What has been meshed anew keeps its momentum, but for what walls and solids hold and what would make the fastest
+/// node of all faster.
+template <int Dim>
+void giveMomentum(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>& outcome) {
+    if (!outcome.connectivity) return;
+    auto& nodes = state.nodes;
+    const auto& conditions = c.problem.conditions;
+    const auto topology = makeTopology<Dim>(state.mesh, conditions.kind, nodes.x, nodes.wall);
+    const double t = state.time.value + c.motion.dt, limit = allowedSpeed<Dim>(topology, nodes);
+    const auto constraints = nodeConstraints<Dim>(state.mesh, conditions, topology, nodes, t, t);
+    const auto& missing = outcome.connectivity->missing;
+    for (int i = 0; i < static_cast<int>(missing.size()); ++i)
+        if (!topology.onSolid[i] && !topology.onOpening(i))
+            nodes.v[i] = fasterBy<Dim>(nodes.v[i], constraints.project(i, missing[i]), limit);
+}
+
+template <int Dim>
+bool keepsMomentum(const RemeshingContext<Dim>& c, const State<Dim>&) {
+    return c.controls.keepMomentum;
+}
+
 template <int Dim>
 void stopEachOther(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>& outcome) {
     if (!outcome.connectivity) return;
@@ -199,6 +229,7 @@ const std::vector<RemeshingRule<Dim>>& remeshingRules() {
         {"letGo", {}, findLeavers<Dim>, dropsMayGo<Dim>},
         {"holdSizes", {}, takeSizesOfPlaces<Dim>, sizesHold<Dim>},
         {"remesh", {}, reconnect<Dim>},
+        {"keepMomentum", {}, giveMomentum<Dim>, keepsMomentum<Dim>},
         {"strike", {}, stopEachOther<Dim>},
         {"dryInlets", {}, wetInlets<Dim>, hasInlets<Dim>},
     };
