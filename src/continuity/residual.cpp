@@ -1,6 +1,9 @@
 #include "continuity/residual.hpp"
 
+#include <utility>
+
 #include "continuity/stabilisation.hpp"
+#include "integration/sumAtNodes.hpp"
 #include "momentum/bentWalls.hpp"
 #include "momentum/meniscus.hpp"
 
@@ -51,19 +54,23 @@ CellTerms<Dim> cellTerms(const Step<Dim>& step, const FluidPhase<Dim>& phase, co
 /// flux_e -= |e| tau_e times the mean over the cell's nodes of the tau-weighted mean of flux/(|e| tau) around each
 /// node.
 template <int Dim>
-void subtractProjection(const SmoothingDomains<Dim>& domains, const NodeToCells& around, const PerCell<double>& tau,
+void subtractProjection(const SmoothingDomains<Dim>& domains, const PerCell<double>& tau,
                         const PerCell<unsigned char>& projected, PerCell<Vec<Dim>>& flux) {
     Points<Dim> mean(domains.nNodes(), Vec<Dim>::Zero());  // its share in a cell's mean
+    std::vector<double> weight(domains.nNodes(), 0.0);
+    sumAtNodes(domains, [&](int e) {
+        return [&, isProjected = projected[e] != 0, w = tau[e] * domains.element[e].measure,
+                &f = std::as_const(flux[e])](int, int node) {
+            if (!isProjected) return;
+            weight[node] += w;
+            mean[node] += f;
+        };
+    });
     domains.share.forNodes(domains.nNodes(), [&](int i) {
-        double weight = 0;
-        Vec<Dim> sum = Vec<Dim>::Zero();
-        for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
-            const int e = around.cell[s];
-            if (!projected[e]) continue;
-            weight += tau[e] * domains.element[e].measure;
-            sum += flux[e];
-        }
-        if (weight > 0) mean[i] = sum / weight / (Dim + 1);
+        if (weight[i] > 0)
+            mean[i] = mean[i] / weight[i] / (Dim + 1);
+        else
+            mean[i].setZero();
     });
     domains.share.forCells(domains.nCells(), [&](int e) {
         if (!projected[e]) return;
@@ -106,18 +113,19 @@ std::vector<double> continuityResidual(const Step<Dim>& step, const ContinuityCo
     const double tauFaces = inertia ? 0 : meanOverCells<Dim>(domains, tau);
     auto terms = cellTerms<Dim>(step, phase, stabilisation, tauFaces, trial);
     const NodeToCells& around = topology.fluid;
-    if (projection) subtractProjection<Dim>(domains, around, tau, projected, terms.flux);
+    if (projection) subtractProjection<Dim>(domains, tau, projected, terms.flux);
     const double returnRate = volumeReturnRate(controls, dt);
-    std::vector<double> R(middle.size(), 0.0);
+    std::vector<double> R(middle.size(), 0.0), compressibility(middle.size(), 0.0);
+    sumAtNodes(domains, [&](int e) {
+        return [&R, &compressibility, c = terms.compressibility[e], rate = terms.rate[e], &flux = terms.flux[e],
+                &g = domains.element[e]](int k, int node) {
+            compressibility[node] += c;
+            R[node] += rate + flux.dot(g.gradN[k]);
+        };
+    });
     domains.share.forNodes(topology.nNodes(), [&](int i) {
-        double compressibility = 0, sum = 0;
-        for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
-            const int e = around.cell[s];
-            compressibility += terms.compressibility[e];
-            sum += terms.rate[e] + terms.flux[e].dot(domains.element[e].gradN[around.corner[s]]);
-        }
-        sum += compressibility * (middle.p[i] - old.p[i]) / dt;
-        R[i] = around.count(i) > 0 ? sum - returnRate * old.lostVolume[i] : sum;
+        R[i] += compressibility[i] * (middle.p[i] - old.p[i]) / dt;
+        if (around.count(i) > 0) R[i] -= returnRate * old.lostVolume[i];
     });
 
     subtractChordFlux<Dim>(topology, step.constraints, trial.end, R);

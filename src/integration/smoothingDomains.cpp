@@ -1,5 +1,7 @@
 #include "integration/smoothingDomains.hpp"
 
+#include "integration/sumAtNodes.hpp"
+
 namespace pfem {
 
 template <int Dim>
@@ -26,12 +28,12 @@ void updateSmoothingDomains(SmoothingDomains<Dim>& domains, const Points<Dim>& x
 template <int Dim>
 void updateVolumes(SmoothingDomains<Dim>& domains) {
     if (domains.nCells() == 0) return;
-    const NodeToCells& around = *domains.around;
-    domains.share.forNodes(domains.nNodes(), [&](int i) {
-        double sum = 0;
-        for (int s = around.start[i]; s < around.start[i + 1]; ++s) sum += domains.element[around.cell[s]].measure;
-        domains.volume[i] = sum / (Dim + 1);
+    PerNode<double>& volume = domains.volume;
+    domains.share.forNodes(domains.nNodes(), [&](int i) { volume[i] = 0; });
+    sumAtNodes(domains, [&](int e) {
+        return [&volume, measure = domains.element[e].measure](int, int node) { volume[node] += measure; };
     });
+    domains.share.forNodes(domains.nNodes(), [&](int i) { volume[i] /= Dim + 1; });
 }
 
 template <int Dim>
@@ -46,12 +48,15 @@ template <int Dim, class Value>
 PerNode<Value> nodalMean(const SmoothingDomains<Dim>& domains, const PerCell<Value>& field) {
     const NodeToCells& around = *domains.around;
     PerNode<Value> mean(domains.nNodes());
+    domains.share.forNodes(domains.nNodes(), [&](int i) { mean[i] = Value::Zero(); });
+    if (domains.nCells() == 0) return mean;
+    sumAtNodes(domains, [&](int e) {
+        return [&mean, measure = domains.element[e].measure, &value = field[e]](int, int node) {
+            mean[node] += measure * value;
+        };
+    });
     domains.share.forNodes(domains.nNodes(), [&](int i) {
-        Value sum = Value::Zero();
-        for (int s = around.start[i]; s < around.start[i + 1]; ++s)
-            sum += domains.element[around.cell[s]].measure * field[around.cell[s]];
-        if (around.count(i) > 0) sum /= (Dim + 1) * domains.volume[i];
-        mean[i] = sum;
+        if (around.count(i) > 0) mean[i] /= (Dim + 1) * domains.volume[i];
     });
     return mean;
 }
@@ -69,33 +74,22 @@ PerCell<Value> elementMean(const SmoothingDomains<Dim>& domains, const PerNode<V
 
 template <int Dim>
 void addInternalForce(const SmoothingDomains<Dim>& domains, const PerCell<Tensor<Dim>>& stress, Points<Dim>& force) {
-    const NodeToCells& around = *domains.around;
     if (domains.nCells() == 0) return;
-    domains.share.forNodes(domains.nNodes(), [&](int i) {
-        Vec<Dim> sum = force[i];
-        for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
-            const auto& g = domains.element[around.cell[s]];
-            sum += g.measure * (stress[around.cell[s]] * g.gradN[around.corner[s]]);
-        }
-        force[i] = sum;
+    sumAtNodes(domains, [&](int e) {
+        return [&force, &g = domains.element[e], &sigma = stress[e]](int k, int node) {
+            force[node] += g.measure * (sigma * g.gradN[k]);
+        };
     });
 }
 
 template <int Dim>
 void addPressureForce(const SmoothingDomains<Dim>& domains, const PerNode<double>& p, Points<Dim>& force) {
-    const NodeToCells& around = *domains.around;
     if (domains.nCells() == 0) return;
-    PerCell<double> whole(domains.nCells());  // |e| times the mean pressure
-    domains.share.forCells(domains.nCells(), [&](int e) {
+    sumAtNodes(domains, [&](int e) {
         double sum = 0;
         for (int node : domains.cell(e)) sum += p[node];
-        whole[e] = domains.element[e].measure * sum / (Dim + 1);
-    });
-    domains.share.forNodes(domains.nNodes(), [&](int i) {
-        Vec<Dim> sum = force[i];
-        for (int s = around.start[i]; s < around.start[i + 1]; ++s)
-            sum -= whole[around.cell[s]] * domains.element[around.cell[s]].gradN[around.corner[s]];
-        force[i] = sum;
+        const double whole = domains.element[e].measure * sum / (Dim + 1);  // |e| times the mean pressure
+        return [&force, whole, &g = domains.element[e]](int k, int node) { force[node] -= whole * g.gradN[k]; };
     });
 }
 
