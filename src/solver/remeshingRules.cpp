@@ -101,7 +101,9 @@ void land(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Di
 
 template <int Dim>
 void putBack(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>& outcome) {
-    outcome.returned = returnPenetrating<Dim>(c.motion.topology, c.controls.expert.walls.wallDistance, state);
+    const auto returned = returnPenetrating<Dim>(c.motion.topology, c.controls.expert.walls.wallDistance, state);
+    outcome.returned = returned.number;
+    outcome.pinched = returned.behind;
 }
 
 /// What is between closing surfaces goes; its volume comes back in the water nearby.

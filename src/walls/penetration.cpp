@@ -36,11 +36,21 @@ bool isBlocked(const Topology<Dim>& topology, const Points<Dim>& x, const Vec<Di
     });
 }
 
+/// Does the node share a cell with one of the face?
+template <int Dim>
+bool isBeside(const Topology<Dim>& topology, int i, const Face<Dim>& face) {
+    const auto& ring = topology.ring;
+    return std::any_of(face.begin(), face.end(), [&](int node) {
+        return std::find(ring.node.begin() + ring.start[i], ring.node.begin() + ring.start[i + 1], node) !=
+               ring.node.begin() + ring.start[i + 1];
+    });
+}
+
 }  // namespace
 
 template <int Dim>
-int returnPenetrating(const Topology<Dim>& topology, double distance, State<Dim>& state) {
-    if (state.mesh.solid.nodes.empty()) return 0;
+Returned returnPenetrating(const Topology<Dim>& topology, double distance, State<Dim>& state) {
+    if (state.mesh.solid.nodes.empty()) return {};
     Nodes<Dim>& nodes = state.nodes;
     std::vector<Face<Dim>> faces;
     Points<Dim> ends;
@@ -62,7 +72,7 @@ int returnPenetrating(const Topology<Dim>& topology, double distance, State<Dim>
     }
     const Locator<Dim> solid(nodes.x, state.mesh.solid.nodes);
 
-    int count = 0;
+    Returned returned;
     for (int i = 0; i < nodes.size(); ++i) {
         if (!topology.ofFluid(i) || !solid.contains(nodes.x[i])) continue;
         const auto& own = nodes.wall[i];
@@ -79,12 +89,13 @@ int returnPenetrating(const Topology<Dim>& topology, double distance, State<Dim>
         const Vec<Dim> n = faceArea<Dim>(nodes.x, faces[nearest]).normalized();  // out of the solid
         if (isBlocked<Dim>(topology, nodes.x, nodes.x[i], n, best + distance * nodes.h[i])) continue;
         putBack<Dim>(faces[nearest], n, distance * nodes.h[i], i, nodes);
-        ++count;
+        ++returned.number;
+        if (Dim == 3 && isBeside<Dim>(topology, i, faces[nearest])) returned.behind.push_back(i);
     }
-    return count;
+    return returned;
 }
 
-template int returnPenetrating<2>(const Topology<2>&, double, State<2>&);
-template int returnPenetrating<3>(const Topology<3>&, double, State<3>&);
+template Returned returnPenetrating<2>(const Topology<2>&, double, State<2>&);
+template Returned returnPenetrating<3>(const Topology<3>&, double, State<3>&);
 
 }  // namespace pfem

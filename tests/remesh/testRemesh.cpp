@@ -213,7 +213,7 @@ TEST(Walls, nodeInASolidIsReturned) {
     c.state.nodes.v[i] = {3, 1};
     const double moved = areaOf(c.state);
     MotionAccount<2> account(c.state);
-    EXPECT_EQ(returnPenetrating<2>(topology, 0.05, c.state), 1);
+    EXPECT_EQ(returnPenetrating<2>(topology, 0.05, c.state).number, 1);
     account.book(VolumeCause::returned, c.state);
     EXPECT_NEAR(c.state.nodes.x[i][0], 0.4 - 0.05 * c.state.nodes.h[i], 1e-12);
     EXPECT_NEAR(c.state.nodes.v[i][0], 0, 1e-12);

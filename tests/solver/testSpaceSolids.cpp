@@ -10,6 +10,7 @@
 #include "momentum/mass.hpp"
 #include "solver/checkProblem.hpp"
 #include "support/bothDimensions.hpp"
+#include "walls/penetration.hpp"
 
 using namespace pfem;
 using namespace pfem::test;
@@ -183,6 +184,28 @@ TEST_P(ElasticColumnInSpace, waterOnItIsItsMass) {
 INSTANTIATE_TEST_SUITE_P(, ElasticColumnInSpace,
                          testing::Values(std::tuple("nodal", "0.016"), std::tuple("elemental", "0.02")),
                          [](const auto& test) { return std::string(std::get<0>(test.param)); });
+
+// No constraint holds the solid's faces in the triangulation: water that comes through one that it covers goes, for put
+// back it would come through again. Water that arrives is put back alone.
+TEST(ColumnInSpace, waterThatComesThroughItsFaceIsTold) {
+    for (const bool arrives : {false, true}) {
+        TestCase3 c = column(1, "0.016");
+        const auto topology = c.topology();
+        const Vec<3> place(0.025, 0.025, arrives ? 0.6 : 0.262);
+        int i = -1;
+        for (int j = 0; j < c.state.nodes.size(); ++j) {
+            const auto& x = c.state.nodes.x;
+            if (!topology.wet(j) || topology.onSolid[j] || topology.onWall[j]) continue;
+            if (i < 0 || (x[j] - place).norm() < (x[i] - place).norm()) i = j;
+        }
+        ASSERT_GE(i, 0);
+        c.state.nodes.x[i][2] = 0.249;
+        const auto returned = returnPenetrating<3>(topology, 0.05, c.state);
+        EXPECT_EQ(returned.number, 1);
+        EXPECT_EQ(returned.behind, arrives ? std::vector<int>{} : std::vector<int>{i});
+        EXPECT_NEAR(c.state.nodes.x[i][2], 0.25 + 0.05 * c.state.nodes.h[i], 1e-9);
+    }
+}
 
 // The fluid's faces change with each triangulation: a plane of symmetry of its own would become a free surface.
 TEST(ColumnInSpace, planesOfSymmetryAreOfSolids) {
