@@ -6,6 +6,7 @@
 #include "base/parallel.hpp"
 #include "conditions/wallFreedom.hpp"
 #include "mesh/simplex.hpp"
+#include "remesh/handOn.hpp"
 
 namespace pfem {
 
@@ -56,12 +57,13 @@ Vec<Dim> shift(double lost, const Vec<Dim>& area, double limit) {
 }
 
 /// Put the nodes of cells that would lose more than half of their volume, or become small by it, back to x, until there
-/// is no such cell: one that is squeezed step by step would turn over.
+/// is no such cell: one that is squeezed step by step would turn over. Returns the nodes that have been put back.
 template <int Dim>
-void holdBack(const NodeToCells& around, const std::vector<Simplex<Dim>>& cells, const std::vector<int>& surface,
-              const Nodes<Dim>& nodes, Points<Dim>& shifted) {
+std::vector<int> holdBack(const NodeToCells& around, const std::vector<Simplex<Dim>>& cells,
+                          const std::vector<int>& surface, const Nodes<Dim>& nodes, Points<Dim>& shifted) {
     constexpr double small = Dim == 2 ? 0.1 : 0.002;  // of h^Dim; a regular triangle has 0.43, a tetrahedron 0.118
     const Points<Dim>& x = nodes.x;
+    std::vector<int> held;
     for (bool again = true; again;) {
         again = false;
         for (int i : surface)
@@ -70,11 +72,14 @@ void holdBack(const NodeToCells& around, const std::vector<Simplex<Dim>>& cells,
                 const double before = simplexMeasure<Dim>(x, cell), after = simplexMeasure<Dim>(shifted, cell);
                 if (after >= before || after >= std::max(0.5 * before, small * std::pow(nodes.h[i], Dim))) continue;
                 for (int node : cell) {
-                    again = again || shifted[node] != x[node];
+                    if (shifted[node] == x[node]) continue;
+                    again = true;
                     shifted[node] = x[node];
+                    held.push_back(node);
                 }
             }
     }
+    return held;
 }
 
 }  // namespace
@@ -82,20 +87,37 @@ void holdBack(const NodeToCells& around, const std::vector<Simplex<Dim>>& cells,
 template <int Dim>
 void shiftSurface(const RemeshingControls& controls, const Topology<Dim>& topology, const std::vector<double>& returned,
                   double share, State<Dim>& state) {
-    if (controls.surfaceShift == 0) return;
+    if (controls.surfaceShift == 0 || share == 0) return;
     Nodes<Dim>& nodes = state.nodes;
     const auto& cells = state.mesh.fluid.nodes;
     const auto surface = movableSurface<Dim>(topology, state.mesh);
     std::vector<double> lost = nodes.lostVolume;
     for (int i = 0; i < nodes.size(); ++i) lost[i] = (lost[i] - returned[i]) * share;
-    const auto shared = sharedAlongSurface<Dim>(topology, lost);
-    Points<Dim> shifted = nodes.x;
+    auto wanted = sharedAlongSurface<Dim>(topology, lost);
+    std::vector<Vec<Dim>> area(surface.size());
+    std::vector<double> capacity(nodes.size(), 0.0);
     parallelFor(static_cast<int>(surface.size()), [&](int k) {
         const int i = surface[k];
-        shifted[i] +=
-            shift<Dim>(shared[i], outwardArea<Dim>(topology, cells, nodes, i), controls.surfaceShift * nodes.h[i]);
+        area[k] = outwardArea<Dim>(topology, cells, nodes, i);
+        capacity[i] = controls.surfaceShift * nodes.h[i] * area[k].norm();
     });
-    holdBack<Dim>(topology.fluid, cells, surface, nodes, shifted);
+    constexpr int turns = Dim == 2 ? 1 : 3;  // in space neighbours bring what a node cannot; films are wider there
+    Points<Dim> shifted;
+    for (int turn = 0; turn < turns; ++turn) {
+        if constexpr (Dim == 3) {
+            const auto before = wanted;
+            handOn<Dim>(topology, state, capacity, wanted);
+            for (int i = 0; i < nodes.size(); ++i) nodes.lostVolume[i] += (wanted[i] - before[i]) / share;
+        }
+        shifted = nodes.x;
+        parallelFor(static_cast<int>(surface.size()), [&](int k) {
+            const int i = surface[k];
+            if (capacity[i] > 0) shifted[i] += shift<Dim>(wanted[i], area[k], controls.surfaceShift * nodes.h[i]);
+        });
+        const auto held = holdBack<Dim>(topology.fluid, cells, surface, nodes, shifted);
+        if (held.empty()) break;
+        for (const int i : held) capacity[i] = 0;
+    }
     nodes.x = std::move(shifted);
 }
 

@@ -11,7 +11,8 @@ namespace pfem {
 /// what it lacks,
 ///     dx_I = L_I a_I/|a_I|^2,   |dx_I| <= surfaceShift h,   L = `share` of lost, half of it shared with the neighbours
 ///     along the surface,
-/// on a wall along the wall. No cell loses more than half of its volume, none becomes small. The cells of `topology`
+/// on a wall along the wall. In space what is beyond a node's limit, or held back with it, its neighbours bring
+/// (handOn). No cell loses more than half of its volume, none becomes small. The cells of `topology`
 /// are those of the state; `returned`: what this step has already given to each node. chargeMotion charges the
 /// displacement with the rest of the step's motion.
 template <int Dim>

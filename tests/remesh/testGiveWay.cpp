@@ -4,8 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
+#include "remesh/handOn.hpp"
 #include "remesh/lostVolume.hpp"
+#include "state/images.hpp"
 #include "support/cases.hpp"
+#include "support/cases3.hpp"
 
 using namespace pfem;
 using namespace pfem::test;
@@ -171,6 +176,53 @@ TEST(GiveWay, noCellBecomesSmall) {
         }
         EXPECT_NEAR(x[i][1], depth < 0.25 ? 0.5 : 0.5 - 0.05 * t.h, 1e-15);
     }
+}
+
+// In space a node that may not move so far, or cannot, is helped by those around it in the same step.
+TEST(GiveWay, neighboursBringWhatANodeCannot) {
+    constexpr double h = 0.1;
+    for (const bool stuck : {false, true}) {
+        TestCase3 c = boxOfWater({1.2, 0.8, 0.3}, {1.2, 0.8, 0.6}, h, "slip", 1e-3, 0.1);
+        auto& nodes = c.state.nodes;
+        nodes.lostVolume.assign(nodes.size(), 0.0);
+        const Vec<3> place(0.6, 0.4, 0.3);
+        const auto nearest = [&](const Vec<3>& to) {
+            const auto at = std::min_element(nodes.x.begin(), nodes.x.end(), [&](const auto& a, const auto& b) {
+                return (a - to).squaredNorm() < (b - to).squaredNorm();
+            });
+            return static_cast<int>(at - nodes.x.begin());
+        };
+        const int i = nearest(place);
+        if (stuck) nodes.x[nearest(place - Vec<3>(0, 0, h))] = place - Vec<3>(0, 0, 0.01 * h);  // flat cells below it
+        const auto topology = c.topology();
+        const double limit = c.controls.remeshing.surfaceShift * h;
+        const double gained = 4 * limit * h * h;  // four times what the node itself may bring
+        nodes.lostVolume[i] = -gained;
+        const Points<3> x = nodes.x;
+        const double before = cellVolume<3>(c.state);
+        shiftSurface<3>(c.controls.remeshing, topology, std::vector<double>(nodes.size(), 0.0), 1, c.state);
+        EXPECT_NEAR(cellVolume<3>(c.state) - before, -gained, 0.03 * gained) << stuck;
+        EXPECT_NEAR(std::accumulate(nodes.lostVolume.begin(), nodes.lostVolume.end(), 0.0), -gained, 1e-12 * gained);
+        for (int j = 0; j < nodes.size(); ++j) EXPECT_LE((nodes.x[j] - x[j]).norm(), limit * (1 + 1e-9)) << j;
+        EXPECT_EQ(nodes.x[i] == x[i], stuck);
+        for (const auto& cell : c.state.mesh.fluid.nodes) {
+            const double was = simplexMeasure<3>(x, cell);
+            EXPECT_GE(simplexMeasure<3>(nodes.x, cell), std::min(0.5 * was, was));
+        }
+    }
+}
+
+// A node beside a periodic side hands on to the one beyond the other side, by its image.
+TEST(GiveWay, handsOnThroughPeriodicSides) {
+    State<2> state;
+    state.nodes.resize(5);
+    state.nodes.id = {0, 1, 2, firstImage + 2, 2 * firstImage};  // the last two: images of 2 and 0
+    Topology<2> topology;
+    topology.ring.start = {0, 2, 4, 6, 6, 6};
+    topology.ring.node = {1, 3, 0, 2, 1, 4};
+    std::vector<double> amounts{-3, 0, 1, 0, 0};
+    handOn<2>(topology, state, {0.5, 0, 4, 0, 0}, amounts);
+    EXPECT_EQ(amounts, (std::vector<double>{-0.5, 0, -1.5, -1.5, -0.5}));
 }
 
 }  // namespace

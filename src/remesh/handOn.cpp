@@ -1,0 +1,42 @@
+#include "remesh/handOn.hpp"
+
+#include <cmath>
+
+#include "state/images.hpp"
+
+namespace pfem {
+
+template <int Dim>
+void handOn(const Topology<Dim>& topology, const State<Dim>& state, std::vector<double> capacity,
+            std::vector<double>& amounts) {
+    constexpr int rows = 4;
+    const auto images = imagesOf<Dim>(state);
+    const auto& ring = topology.ring;
+    images.follow(capacity);
+    images.follow(amounts);
+    const int nOwn = nOwnNodes<Dim>(state);
+    for (int turn = 0; turn < rows; ++turn) {
+        const std::vector<double> before = amounts;
+        bool any = false;
+        for (int i = 0; i < nOwn; ++i) {
+            if (std::abs(before[i]) <= capacity[i]) continue;
+            double sum = 0;
+            for (int s = ring.start[i]; s < ring.start[i + 1]; ++s) sum += capacity[ring.node[s]];
+            if (sum == 0) continue;
+            any = true;
+            const double excess = before[i] - std::copysign(capacity[i], before[i]);
+            amounts[i] -= excess;
+            for (int s = ring.start[i]; s < ring.start[i + 1]; ++s)
+                amounts[images.own(ring.node[s])] += excess * (capacity[ring.node[s]] / sum);
+        }
+        images.follow(amounts);
+        if (!any) return;
+    }
+}
+
+#define PFEM_INSTANTIATE(D) \
+    template void handOn<D>(const Topology<D>&, const State<D>&, std::vector<double>, std::vector<double>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
+
+}  // namespace pfem
