@@ -4,37 +4,23 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <random>
 
 #include "integration/sumAtNodes.hpp"
+#include "support/cases3.hpp"
 
 using namespace pfem;
+using namespace pfem::test;
 
 namespace {
 
-constexpr int m = 9, nNodes = m * m * m;
-
-/// A lattice of cubes of six tetrahedra each, in any order.
-std::vector<Simplex<3>> shuffledLattice() {
-    std::vector<Simplex<3>> cells;
-    for (int corner = 0; corner < nNodes; ++corner) {
-        if (corner % m == m - 1 || corner / m % m == m - 1 || corner / (m * m) == m - 1) continue;
-        std::array<int, 3> step{1, m, m * m};
-        do {
-            const int b = corner + step[0], c = b + step[1];
-            cells.push_back({corner, b, c, c + step[2]});
-        } while (std::next_permutation(step.begin(), step.end()));
-    }
-    std::shuffle(cells.begin(), cells.end(), std::mt19937(1));
-    return cells;
-}
-
-Points<3> places() {
-    Points<3> x;
-    for (int i = 0; i < nNodes; ++i) x.emplace_back(i % m, i / m % m, i / (m * m));
-    return x;
+/// A cube of tetrahedra, in any order.
+State<3> shuffledLattice() {
+    State<3> state;
+    addLattice(state, state.mesh.fluid, 0, {0, 0, 0}, {8, 8, 8}, 1);
+    std::shuffle(state.mesh.fluid.nodes.begin(), state.mesh.fluid.nodes.end(), std::mt19937(1));
+    return state;
 }
 
 /// What corner k of cell e gives: numbers whose sum depends on their order.
@@ -42,12 +28,13 @@ double given(int e, int k) { return std::sin(1.0 + e * 4 + k) * std::pow(10, e %
 
 /// Nodes' sums, 1 from the start.
 std::vector<double> sums(const SmoothingDomains<3>& domains) {
-    std::vector<double> sum(nNodes, 1);
+    std::vector<double> sum(domains.nNodes(), 1);
     sumAtNodes(domains, [&](int e) { return [&sum, e](int k, int node) { sum[node] += given(e, k); }; });
     return sum;
 }
 
 std::vector<double> gathered(const NodeToCells& around) {
+    const int nNodes = static_cast<int>(around.start.size()) - 1;
     std::vector<double> sum(nNodes, 1);
     for (int i = 0; i < nNodes; ++i)
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) sum[i] += given(around.cell[s], around.corner[s]);
@@ -57,10 +44,12 @@ std::vector<double> gathered(const NodeToCells& around) {
 }  // namespace
 
 TEST(SumAtNodes, hasTheBitsOfGatheringForAnyNumberOfThreads) {
-    const auto cells = shuffledLattice();
+    const auto state = shuffledLattice();
+    const auto& cells = state.mesh.fluid.nodes;
+    const int nNodes = state.nodes.size();
     ASSERT_GT(cells.size(), shortLoop);
     const auto around = nodeToCells<3>(cells, nNodes);
-    const auto domains = makeSmoothingDomains<3>(cells, around, places());
+    const auto domains = makeSmoothingDomains<3>(cells, around, state.nodes.x);
     const int threads = omp_get_max_threads();
     for (const int n : {1, 2, 3, 8}) {
         omp_set_num_threads(n);
@@ -71,7 +60,9 @@ TEST(SumAtNodes, hasTheBitsOfGatheringForAnyNumberOfThreads) {
 
 /// A rank's nodes have all of theirs; the others keep what they had.
 TEST(SumAtNodes, ofAShareAreThoseOfItsNodes) {
-    const auto cells = shuffledLattice();
+    const auto state = shuffledLattice();
+    const auto& cells = state.mesh.fluid.nodes;
+    const int nNodes = state.nodes.size();
     const auto around = nodeToCells<3>(cells, nNodes);
     std::vector<int> nodes, ofNodes;
     std::vector<unsigned char> marks(nNodes, 0);
@@ -82,7 +73,7 @@ TEST(SumAtNodes, ofAShareAreThoseOfItsNodes) {
     for (int e = 0; e < static_cast<int>(cells.size()); ++e)
         if (std::any_of(cells[e].begin(), cells[e].end(), [&](int node) { return marks[node]; })) ofNodes.push_back(e);
     const Share share(Ranks(), {nNodes}, nodes, ofNodes);
-    const auto domains = makeSmoothingDomains<3>(cells, around, places(), Integration::nodal, share);
+    const auto domains = makeSmoothingDomains<3>(cells, around, state.nodes.x, Integration::nodal, share);
     const auto found = sums(domains), all = gathered(around);
     for (int i = 0; i < nNodes; ++i) EXPECT_EQ(found[i], marks[i] ? all[i] : 1) << i;
 }

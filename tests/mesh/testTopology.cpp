@@ -13,6 +13,7 @@
 #include <tuple>
 
 #include "mesh/wallUnder.hpp"
+#include "support/cases3.hpp"
 
 using namespace pfem;
 
@@ -75,21 +76,18 @@ TEST(Adjacency, cellsAndNodesAroundANode) {
     }
 }
 
-/// A lattice of cubes of six tetrahedra each, of which some are missing: nodes around which all cells are there are
-/// told by Euler's formula, the others' faces are looked for; boundaryFaces() looks for all.
+/// A cube of tetrahedra, of which some are missing: nodes around which all cells are there are told by Euler's formula,
+/// the others' faces are looked for; boundaryFaces() looks for all.
 TEST(Adjacency, openFacesAreFoundAroundAllNodesInSpace) {
-    constexpr int m = 7, nNodes = m * m * m;
+    constexpr int m = 7;
+    State<3> state;
+    test::addLattice(state, state.mesh.fluid, 0, {0, 0, 0}, {m - 1, m - 1, m - 1}, 1);
+    const int nNodes = state.nodes.size();
     std::mt19937 random(2);
     for (const double kept : {0.05, 0.5, 0.9, 0.99, 1.0}) {
         std::vector<Simplex<3>> cells;
-        for (int corner = 0; corner < nNodes; ++corner) {
-            if (corner % m == m - 1 || corner / m % m == m - 1 || corner / (m * m) == m - 1) continue;
-            std::array<int, 3> step{1, m, m * m};
-            do {
-                const int b = corner + step[0], c = b + step[1];
-                if (std::uniform_real_distribution<>(0, 1)(random) < kept) cells.push_back({corner, b, c, c + step[2]});
-            } while (std::next_permutation(step.begin(), step.end()));
-        }
+        for (const auto& cell : state.mesh.fluid.nodes)
+            if (std::uniform_real_distribution<>(0, 1)(random) < kept) cells.push_back(cell);
         const auto around = nodeToCells<3>(cells, nNodes);
         const auto [ring, boundary] = surroundings<3>(cells, around);
         const auto faces = boundaryFaces<3>(cells, around);
