@@ -9,11 +9,13 @@ namespace pfem {
 
 /// Loops over fewer items than this stay in one thread: waking another takes longer (tens of microseconds).
 inline constexpr int shortLoop = 1500;
+inline constexpr int shortLongLoop = 150;  // where each item takes microseconds
 
-/// work(0) ... work(n - 1), in parallel where they are many. They must not depend on each other nor throw.
+/// work(0) ... work(n - 1), in parallel where they are many. They must not depend on each other nor throw. Threads take
+/// turns: where only some have work (nodes of solids) these follow each other.
 template <class Work>
-void parallelFor(int n, const Work& work) {
-#pragma omp parallel for schedule(static) if (n > shortLoop)
+void parallelFor(int n, const Work& work, int few = shortLoop) {
+#pragma omp parallel for schedule(static, 64) if (n > few)
     for (int i = 0; i < n; ++i) work(i);
 }
 

@@ -9,7 +9,7 @@ namespace pfem {
 template <int Dim>
 std::vector<WetFace<Dim>> wetFaces(const State<Dim>& state, const Topology<Dim>& topology) {
     std::map<Face<Dim>, int> materialOfSolid;
-    for (const auto& face : boundaryFaces<Dim>(state.mesh.solid.nodes, topology.solid))
+    for (const auto& face : topology.solidFaces)
         materialOfSolid[sorted<Dim>(face.nodes)] = state.mesh.solid.material[face.cell];
     std::vector<WetFace<Dim>> result;
     for (const auto& face : topology.faces) {

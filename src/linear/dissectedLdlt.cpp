@@ -11,17 +11,6 @@ namespace pfem {
 
 namespace {
 
-/// Unknowns that are to lie between the parts: of each entry across, the one in the lower part.
-std::vector<unsigned char> sharedUnknowns(const SymmetricMatrix& A, const std::vector<int>& part) {
-    std::vector<unsigned char> shared(A.n, 0);
-    for (int j = 0; j < A.n; ++j)
-        for (int s = A.start[j]; s < A.start[j + 1]; ++s) {
-            const int i = A.row[s];
-            if (part[i] != part[j]) shared[part[i] < part[j] ? i : j] = 1;
-        }
-    return shared;
-}
-
 /// Which interior unknowns of a part meet. `place` per unknown: its index in the part, negative for others.
 MatrixGraph interiorGraph(const SymmetricMatrix& A, const std::vector<int>& interior, const std::vector<int>& place) {
     const int n = static_cast<int>(interior.size());
@@ -197,15 +186,26 @@ Eigen::VectorXd DissectedLdlt<Dim, Stored, Real>::solve(const Eigen::VectorXd& b
     return x;
 }
 
+std::vector<unsigned char> sharedUnknowns(const SymmetricMatrix& A, const std::vector<int>& part) {
+    std::vector<unsigned char> shared(A.n, 0);
+    for (int j = 0; j < A.n; ++j)
+        for (int s = A.start[j]; s < A.start[j + 1]; ++s) {
+            const int i = A.row[s];
+            if (part[i] != part[j]) shared[part[i] < part[j] ? i : j] = 1;
+        }
+    return shared;
+}
+
 template <int Dim>
-std::vector<int> slabs(const Places<Dim>& place, int nParts, int axis) {
+std::vector<int> slabs(const Places<Dim>& place, int nParts, int axis, int nShared) {
     std::vector<int> part(place.size(), 0);
     if (place.empty() || nParts < 2) return part;
     std::vector<double> sorted;
     for (const auto& x : place) sorted.push_back(x[axis]);
     std::vector<double> cuts;
     for (int k = 1; k < nParts; ++k) {
-        const auto nth = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() * k / nParts);
+        const std::size_t below = (sorted.size() + nShared) * k / nParts;
+        const auto nth = sorted.begin() + static_cast<std::ptrdiff_t>(std::min(below, sorted.size() - 1));
         std::nth_element(sorted.begin(), nth, sorted.end());
         cuts.push_back(*nth);
     }
@@ -218,7 +218,7 @@ std::vector<int> slabs(const Places<Dim>& place, int nParts, int axis) {
     template class DissectedLdlt<D, float, float>;   \
     template class DissectedLdlt<D, float, double>;  \
     template class DissectedLdlt<D, double, double>; \
-    template std::vector<int> slabs<D>(const Places<D>&, int, int);
+    template std::vector<int> slabs<D>(const Places<D>&, int, int, int);
 PFEM_INSTANTIATE(2)
 PFEM_INSTANTIATE(3)
 

@@ -39,8 +39,12 @@ private:
     Eigen::MatrixXd between_;       // D and L of the Schur complement
 };
 
-/// Part of each place when all are cut into nParts of about equal number, perpendicular to the axis.
+/// Part of each place when all are cut into nParts of about equal number, perpendicular to the axis; `nShared` is how
+/// many each part but the last is to have beyond that.
 template <int Dim>
-std::vector<int> slabs(const Places<Dim>& place, int nParts, int axis);
+std::vector<int> slabs(const Places<Dim>& place, int nParts, int axis, int nShared = 0);
+
+/// Unknowns that lie between the parts: of each entry across, the one in the lower part.
+std::vector<unsigned char> sharedUnknowns(const SymmetricMatrix& A, const std::vector<int>& part);
 
 }  // namespace pfem

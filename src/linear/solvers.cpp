@@ -11,7 +11,8 @@ namespace pfem {
 
 namespace {
 
-/// Slabs of equal numbers of unknowns, across the axis along which the fewest of those that meet are parted.
+/// Slabs of equal numbers of unknowns, across the axis along which the fewest of those that meet are parted. Those
+/// between the slabs are of none: where they are many the lower slabs get as many more.
 template <int Dim>
 std::vector<int> partsOfUnknowns(const SymmetricMatrix& A, const Places<Dim>& place, int nParts) {
     if (nParts < 2) return std::vector<int>(A.n, 0);
@@ -24,7 +25,11 @@ std::vector<int> partsOfUnknowns(const SymmetricMatrix& A, const Places<Dim>& pl
             for (int s = A.start[j]; s < A.start[j + 1]; ++s) count += part[axis][A.row[s]] != part[axis][j];
         parted[axis] = count;
     });
-    return part[std::min_element(parted.begin(), parted.end()) - parted.begin()];
+    const auto axis = static_cast<int>(std::min_element(parted.begin(), parted.end()) - parted.begin());
+    const auto shared = sharedUnknowns(A, part[axis]);
+    const auto perCut = static_cast<int>(std::count(shared.begin(), shared.end(), 1)) / (nParts - 1);
+    constexpr int few = 8;  // of a part
+    return perCut * few * nParts < A.n ? part[axis] : slabs<Dim>(place, nParts, axis, perCut);
 }
 
 /// As many as pay: each has an ordering and a factor of its own, and what lies between them grows.

@@ -83,18 +83,18 @@ void findTwins(const Mesh<Dim>& mesh, const Topology<Dim>& topology, const Point
 
 /// Faces of walls and of solids.
 template <int Dim>
-std::vector<Face<Dim>> obstacles(const Mesh<Dim>& mesh, const Topology<Dim>& topology) {
+std::vector<Face<Dim>> obstacles(const Topology<Dim>& topology) {
     std::vector<Face<Dim>> faces;
     for (const auto& wall : topology.walls)
         if (wall.patch >= 0) faces.push_back(wall.nodes);
-    for (const auto& face : boundaryFaces<Dim>(mesh.solid.nodes, topology.solid)) faces.push_back(face.nodes);
+    for (const auto& face : topology.solidFaces) faces.push_back(face.nodes);
     return faces;
 }
 
 template <int Dim>
 void findGaps(const Mesh<Dim>& mesh, const Topology<Dim>& topology, const Points<Dim>& x, const std::vector<double>& h,
               std::vector<MeshFault<Dim>>& gaps) {
-    const auto solid = obstacles<Dim>(mesh, topology);
+    const auto solid = obstacles<Dim>(topology);
     double size = 0;
     for (const double one : h) size = std::max(size, one);
     Bins<Dim> bins(x, 2 * size);

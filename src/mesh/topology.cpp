@@ -21,11 +21,13 @@ namespace {
 
 constexpr double touching = 1e-6;  // of a face's size
 
+/// Each with its nodes ascending, the faces too.
 template <int Dim>
-std::set<Face<Dim>> solidFaces(const Mesh<Dim>& mesh, const NodeToCells& around) {
-    std::set<Face<Dim>> faces;
-    for (const auto& face : boundaryFaces<Dim>(mesh.solid.nodes, around)) faces.insert(sorted<Dim>(face.nodes));
-    return faces;
+std::vector<Face<Dim>> inOrder(const std::vector<BoundaryFace<Dim>>& faces) {
+    std::vector<Face<Dim>> result;
+    for (const auto& face : faces) result.push_back(sorted<Dim>(face.nodes));
+    std::sort(result.begin(), result.end());
+    return result;
 }
 
 template <int Dim>
@@ -73,11 +75,19 @@ void findTouching(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, co
     if (mesh.solid.nodes.empty()) return;
     const auto planes = symmetryNormals<Dim>(mesh, kinds, x, t.solid);
     const WallBins<Dim> walls(t.walls, x);
-    for (const auto& face : boundaryFaces<Dim>(mesh.solid.nodes, t.solid)) {
-        const double size = (x[face.nodes[1]] - x[face.nodes[0]]).norm();
+    const auto sizeOf = [&](const BoundaryFace<Dim>& face) { return (x[face.nodes[1]] - x[face.nodes[0]]).norm(); };
+    std::vector<double> largest(t.nNodes(), 0.0);
+    for (const auto& face : t.solidFaces)
+        for (const int node : face.nodes) largest[node] = std::max(largest[node], sizeOf(face));
+    std::vector<unsigned char> mayTouch(t.nNodes(), 0);
+    parallelFor(t.nNodes(), [&](int i) {
+        mayTouch[i] = largest[i] > 0 && isSupported(walls.supportsAt(x[i], reach * largest[i]));
+    });
+    for (const auto& face : t.solidFaces) {
+        const double size = sizeOf(face);
         for (const int node : face.nodes) {
             if (isSupported(t.supports[node])) continue;
-            t.supports[node] = walls.supportsAt(x[node], reach * size);
+            if (mayTouch[node]) t.supports[node] = walls.supportsAt(x[node], reach * size);
             if (const auto found = planes.find(node); found != planes.end())
                 findContinued<Dim>(node, found->second, x, size, t);
         }
@@ -86,14 +96,14 @@ void findTouching(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, co
 
 /// Which nodes of solids are under skins: those without a face of their own in the fluid.
 template <int Dim>
-void findUnderSkins(const Mesh<Dim>& mesh, Topology<Dim>& t) {
+void findUnderSkins(Topology<Dim>& t) {
     std::set<Face<Dim>> skins;
     for (const auto& wall : t.walls)
         if (wall.patch >= 0 && t.kinds[wall.patch] == PatchKind::skin) skins.insert(sorted<Dim>(wall.nodes));
     if (skins.empty()) return;
     for (const auto& face : skins)
         for (const int node : face) t.wallPoint[node] = 1;
-    for (const auto& face : boundaryFaces<Dim>(mesh.solid.nodes, t.solid)) {
+    for (const auto& face : t.solidFaces) {
         if (skins.count(sorted<Dim>(face.nodes)) > 0 || t.liesOnWall(face.nodes)) continue;
         for (const int node : face.nodes) t.wallPoint[node] = 0;
     }
@@ -101,10 +111,10 @@ void findUnderSkins(const Mesh<Dim>& mesh, Topology<Dim>& t) {
 
 /// On skins nodes of the fluid ride; those of the solid under them are geometry.
 template <int Dim>
-void setSkins(const Mesh<Dim>& mesh, const Points<Dim>& x, Topology<Dim>& t) {
+void setSkins(const Points<Dim>& x, Topology<Dim>& t) {
     t.rides.clear();
     if (std::find(t.kinds.begin(), t.kinds.end(), PatchKind::skin) == t.kinds.end()) return;
-    findUnderSkins<Dim>(mesh, t);
+    findUnderSkins<Dim>(t);
     for (int i = 0; i < t.nNodes(); ++i)
         for (const int wall : Supports<Dim>(t.supports[i])) {
             if (wall < 0 || !t.isSkin(wall)) continue;
@@ -144,7 +154,7 @@ void setWalls(const Mesh<Dim>& mesh, const std::vector<PatchKind>& kinds, const 
         if (!t.onWall[i]) t.supports[i] = unsupported<Dim>();
     }
     findTouching<Dim>(mesh, kinds, x, reach, t);
-    setSkins<Dim>(mesh, x, t);
+    setSkins<Dim>(x, t);
     const auto symmetry = symmetryFaces<Dim>(mesh, kinds);
     parallelFor(static_cast<int>(t.faces.size()), [&](int f) {
         auto& face = t.faces[f];
@@ -189,9 +199,10 @@ Topology<Dim> makeTopology(const Mesh<Dim>& mesh, const std::vector<PatchKind>& 
     for (const auto& face : t.walls)
         if (face.patch >= 0 && isWall(kinds[face.patch]))
             for (const int node : face.nodes) t.wallPoint[node] = 1;
-    const auto solid = solidFaces<Dim>(mesh, t.solid);
+    t.solidFaces = boundaryFaces<Dim>(mesh.solid.nodes, t.solid);
+    const auto solid = inOrder<Dim>(t.solidFaces);
     for (const auto& face : boundary) {
-        const bool interface = !solid.empty() && solid.count(sorted<Dim>(face.nodes)) > 0;
+        const bool interface = std::binary_search(solid.begin(), solid.end(), sorted<Dim>(face.nodes));
         t.faces.push_back({face, interface ? FaceKind::interface : FaceKind::freeSurface});
     }
     setWalls<Dim>(mesh, kinds, x, wall, touching, t);

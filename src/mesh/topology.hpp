@@ -71,15 +71,16 @@ struct Topology {
     NodeToCells solid;  // solid cells around each node
     NodeToNodes ring;   // neighbours in the fluid
     std::vector<FluidFace<Dim>> faces;
-    std::vector<WallFace<Dim>> walls;         // faces of all patches in their order, as counted by Nodes::wall
-    std::vector<std::pair<int, int>> convex;  // regions of the walls that meet at a convex edge
-    std::vector<Supports<Dim>> supports;      // Nodes::wall; of solids' nodes: the walls that they touch
-    std::vector<unsigned char> onSolid;       // node of a solid body
-    std::vector<unsigned char> wallPoint;     // of a wall, or a solid under a skin: geometry, no node of the fluid
-    std::vector<unsigned char> onWall;        // of the fluid, held by a rigid wall
-    std::vector<unsigned char> freeSurface;   // node of a free-surface face
-    std::vector<PatchKind> kinds;             // of the patches
-    std::vector<Ride<Dim>> rides;             // on skins, by ascending nodes
+    std::vector<BoundaryFace<Dim>> solidFaces;  // of solids, without a neighbour in them
+    std::vector<WallFace<Dim>> walls;           // faces of all patches in their order, as counted by Nodes::wall
+    std::vector<std::pair<int, int>> convex;    // regions of the walls that meet at a convex edge
+    std::vector<Supports<Dim>> supports;        // Nodes::wall; of solids' nodes: the walls that they touch
+    std::vector<unsigned char> onSolid;         // node of a solid body
+    std::vector<unsigned char> wallPoint;       // of a wall, or a solid under a skin: geometry, no node of the fluid
+    std::vector<unsigned char> onWall;          // of the fluid, held by a rigid wall
+    std::vector<unsigned char> freeSurface;     // node of a free-surface face
+    std::vector<PatchKind> kinds;               // of the patches
+    std::vector<Ride<Dim>> rides;               // on skins, by ascending nodes
 
     int nNodes() const { return static_cast<int>(onSolid.size()); }
     bool wet(int node) const { return fluid.count(node) > 0; }

@@ -10,15 +10,18 @@ namespace {
 template <int Dim>
 std::vector<std::vector<int>> laterNodes(const PointRows<Dim>& rows, const SolidDofs<Dim>& dofs) {
     std::vector<std::vector<int>> later(dofs.node.size());
-    parallelFor(static_cast<int>(later.size()), [&](int l) {
-        const int node = dofs.node[l];
-        for (const int p : rows.pointsOf(node))
-            for (const int other : rows[p].nodes)
-                if (dofs.local[other] >= 0 && dofs.first[other] > dofs.first[node])
-                    later[l].push_back(dofs.local[other]);
-        std::sort(later[l].begin(), later[l].end());
-        later[l].erase(std::unique(later[l].begin(), later[l].end()), later[l].end());
-    });
+    parallelFor(
+        static_cast<int>(later.size()),
+        [&](int l) {
+            const int node = dofs.node[l];
+            for (const int p : rows.pointsOf(node))
+                for (const int other : rows[p].nodes)
+                    if (dofs.local[other] >= 0 && dofs.first[other] > dofs.first[node])
+                        later[l].push_back(dofs.local[other]);
+            std::sort(later[l].begin(), later[l].end());
+            later[l].erase(std::unique(later[l].begin(), later[l].end()), later[l].end());
+        },
+        shortLongLoop);
     return later;
 }
 
@@ -48,19 +51,37 @@ template <int Dim>
 SymmetricMatrix solidPattern(const PointRows<Dim>& rows, const SolidDofs<Dim>& dofs) {
     auto later = laterNodes<Dim>(rows, dofs);
     joinBodies<Dim>(dofs, later);
-    std::vector<std::vector<int>> columns(dofs.n);
+    std::vector<unsigned char> hasColumns(later.size(), 1);  // one node of a body has those of the body
+    for (const auto& body : dofs.bodies)
+        for (const int l : body.local) hasColumns[l] = l == body.local[0];
+    const auto nUnknowns = [&](int l) { return dofs.count[dofs.node[l]]; };
+    SymmetricMatrix A;
+    A.n = dofs.n;
+    A.start.assign(dofs.n + 1, 0);
     for (std::size_t l = 0; l < later.size(); ++l) {
-        const int first = dofs.first[dofs.node[l]], count = dofs.count[dofs.node[l]];
-        if (count > 0 && !columns[first].empty()) continue;  // another node of its body came before
-        for (int c = 0; c < count; ++c) {
-            auto& column = columns[first + c];
-            for (int d = c + 1; d < count; ++d) column.push_back(first + d);
-            for (const int other : later[l])
-                for (int d = 0; d < dofs.count[dofs.node[other]]; ++d)
-                    column.push_back(dofs.first[dofs.node[other]] + d);
-        }
+        if (!hasColumns[l]) continue;
+        int below = 0;
+        for (const int other : later[l]) below += nUnknowns(other);
+        const int first = dofs.first[dofs.node[l]], count = nUnknowns(static_cast<int>(l));
+        for (int c = 0; c < count; ++c) A.start[first + c + 1] = count - c + below;
     }
-    return symmetricPattern(columns);
+    for (int j = 0; j < A.n; ++j) A.start[j + 1] += A.start[j];
+    A.row.resize(A.start[A.n]);
+    A.value.assign(A.start[A.n], 0.0);
+    parallelFor(
+        static_cast<int>(later.size()),
+        [&](int l) {
+            if (!hasColumns[l]) return;
+            const int first = dofs.first[dofs.node[l]], count = nUnknowns(l);
+            for (int c = 0; c < count; ++c) {
+                int s = A.start[first + c];
+                for (int d = c; d < count; ++d) A.row[s++] = first + d;
+                for (const int other : later[l])
+                    for (int d = 0; d < nUnknowns(other); ++d) A.row[s++] = dofs.first[dofs.node[other]] + d;
+            }
+        },
+        shortLongLoop);
+    return A;
 }
 
 #define PFEM_INSTANTIATE(D) template SymmetricMatrix solidPattern<D>(const PointRows<D>&, const SolidDofs<D>&);

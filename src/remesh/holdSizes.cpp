@@ -13,12 +13,12 @@ namespace {
 template <int Dim>
 class WantedSize {
 public:
-    explicit WantedSize(const State<Dim>& state) : state_(state) {
+    WantedSize(const Topology<Dim>& topology, const State<Dim>& state) : state_(state) {
         for (const auto& place : state.sizes.places) {
             for (const auto& corners : place.faces) tree_.add(corners, place.meshSize, place.distance);
             if (!place.patch.empty()) addPatch(place);
         }
-        addSolids();
+        addSolids(topology.solidFaces);
         tree_.build();
     }
 
@@ -44,10 +44,8 @@ private:
                 for (const auto& face : patch.faces) tree_.add(cornersOf(face), place.meshSize, place.distance);
     }
 
-    void addSolids() {
-        const auto& cells = state_.mesh.solid.nodes;
-        if (cells.empty()) return;
-        for (const auto& face : boundaryFaces<Dim>(cells, nodeToCells<Dim>(cells, state_.nodes.size()))) {
+    void addSolids(const std::vector<BoundaryFace<Dim>>& faces) {
+        for (const auto& face : faces) {
             double size = state_.sizes.coarsest;
             for (const int i : face.nodes) size = std::min(size, state_.nodes.h[i]);
             if (size < state_.sizes.coarsest) tree_.add(cornersOf(face.nodes), size, 0);
@@ -62,7 +60,7 @@ private:
 
 template <int Dim>
 void holdSizes(const Topology<Dim>& topology, const Period<Dim>& period, State<Dim>& state) {
-    const WantedSize<Dim> wanted(state);
+    const WantedSize<Dim> wanted(topology, state);
     auto shifts = shiftsOf<Dim>(period);
     shifts.push_back({});
     std::vector<double> h = state.nodes.h;

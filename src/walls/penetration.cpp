@@ -54,7 +54,7 @@ Returned returnPenetrating(const Topology<Dim>& topology, double distance, State
     Nodes<Dim>& nodes = state.nodes;
     std::vector<Face<Dim>> faces;
     Points<Dim> ends;
-    for (const auto& face : boundaryFaces<Dim>(state.mesh.solid.nodes, topology.solid)) {
+    for (const auto& face : topology.solidFaces) {
         if (topology.liesOnWall(face.nodes)) continue;  // behind it there is no fluid
         faces.push_back(face.nodes);
         for (const int node : face.nodes) ends.push_back(nodes.x[node]);

@@ -23,7 +23,7 @@ template <int Dim>
 std::vector<Side<Dim>> sidesOf(const Topology<Dim>& topology, const State<Dim>& state) {
     const auto body = components(state.mesh.solid.nodes, state.nodes.size());
     std::vector<Side<Dim>> sides;
-    for (const auto& face : boundaryFaces<Dim>(state.mesh.solid.nodes, topology.solid))
+    for (const auto& face : topology.solidFaces)
         sides.push_back({face.nodes, faceArea<Dim>(state.nodes.x, face.nodes).normalized(), body[face.nodes[0]]});
     for (const auto& wall : topology.walls)
         if (wall.patch >= 0) sides.push_back({wall.nodes, inwardNormal<Dim>(state.nodes.x, wall.nodes), -1});

@@ -70,8 +70,7 @@ void separateFromSkins(const std::vector<PatchKind>& kinds, State<Dim>& state) {
     };
     for (auto& cell : state.mesh.fluid.nodes) toCopies(cell);
     std::set<Face<Dim>> ofSolids;
-    for (const auto& face : boundaryFaces<Dim>(state.mesh.solid.nodes, topology.solid))
-        ofSolids.insert(sorted<Dim>(face.nodes));
+    for (const auto& face : topology.solidFaces) ofSolids.insert(sorted<Dim>(face.nodes));
     for (auto& patch : state.mesh.patches)  // planes that cut the fluid
         for (auto& face : patch.faces)
             if (ofSolids.count(sorted<Dim>(face)) == 0) toCopies(face);

@@ -64,7 +64,7 @@ Scene<Dim> sceneOf(const Mesh<Dim>& mesh, const Topology<Dim>& topology, const N
         scene.addFace(wall.nodes, false);
         regions = std::max(regions, wall.region + 1);
     }
-    for (const auto& face : boundaryFaces<Dim>(mesh.solid.nodes, topology.solid)) {
+    for (const auto& face : topology.solidFaces) {
         const Vec<Dim> normal = faceArea<Dim>(nodes.x, face.nodes).normalized();
         scene.obstacles.push_back({face.nodes, normal, regions + scene.body[face.nodes[0]], true});
         scene.addFace(face.nodes, true);
