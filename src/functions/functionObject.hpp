@@ -26,7 +26,8 @@ struct FunctionContext {
     std::optional<double> resumeAt = {};  // the exact time at which a run goes on: for Table; none for new tables
 };
 
-/// Several of a run work at the same time, each in a thread of its own: they share nothing that they change.
+/// Several of a run work at the same time, each in a thread of its own (but see usesThreads): they share nothing that
+/// they change.
 template <int Dim>
 class FunctionObject {
 public:
@@ -43,6 +44,9 @@ public:
 
     /// Shall the run count where volume appears (the ledger's fields) and write it into its time folders?
     virtual bool wantsAppeared() const { return false; }
+
+    /// Has it so much to do in each step that it uses all threads itself? Then it does not work beside the others.
+    virtual bool usesThreads() const { return false; }
 
     /// Evaluate the state and write a row. Throws UserError when the file cannot be written.
     virtual void execute(const State<Dim>& state) = 0;

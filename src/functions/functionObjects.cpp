@@ -57,11 +57,18 @@ std::vector<std::string> FunctionObjects<Dim>::names() const {
 
 template <int Dim>
 void FunctionObjects<Dim>::execute(const State<Dim>& state, const FolderDue& folderDue) {
-    parallelTasks(size(), [&](int k) {
-        auto& entry = functions_[k];
+    const auto run = [&](Entry& entry) {
         entry.function->advance(state);
         if (entry.control.due(state.time, folderDue)) entry.function->execute(state);
-    });
+    };
+    std::vector<Entry*> sideBySide;
+    for (auto& entry : functions_) {
+        if (entry.function->usesThreads())
+            run(entry);
+        else
+            sideBySide.push_back(&entry);
+    }
+    parallelTasks(static_cast<int>(sideBySide.size()), [&](int k) { run(*sideBySide[k]); });
 }
 
 template <int Dim>

@@ -38,6 +38,7 @@ public:
     void advance(const State<Dim>& state) override;
     void execute(const State<Dim>& state) override;
     std::vector<double> memory() const override;
+    bool usesThreads() const override { return true; }
 
 private:
     FunctionContext<Dim> context_;
