@@ -11,10 +11,13 @@ namespace pfem {
 
 namespace {
 
-/// Slabs of equal numbers of unknowns, across the axis along which the fewest of those that meet are parted. Those
-/// between the slabs are of none: where they are many the lower slabs get as many more.
+/// As many as pay: each has an ordering and a factor of its own, and what lies between them grows.
+int nParts(int unknowns) { return unknowns < 2000 ? 1 : unknowns < 100000 ? 2 : 4; }
+
+}  // namespace
+
 template <int Dim>
-std::vector<int> partsOfUnknowns(const SymmetricMatrix& A, const Places<Dim>& place, int nParts) {
+std::vector<int> equalSlabs(const SymmetricMatrix& A, const Places<Dim>& place, int nParts) {
     if (nParts < 2) return std::vector<int>(A.n, 0);
     std::array<std::vector<int>, Dim> part;
     std::array<int, Dim> parted{};
@@ -32,15 +35,10 @@ std::vector<int> partsOfUnknowns(const SymmetricMatrix& A, const Places<Dim>& pl
     return perCut * few * nParts < A.n ? part[axis] : slabs<Dim>(place, nParts, axis, perCut);
 }
 
-/// As many as pay: each has an ordering and a factor of its own, and what lies between them grows.
-int nParts(int unknowns) { return unknowns < 2000 ? 1 : unknowns < 100000 ? 2 : 4; }
-
-}  // namespace
-
 template <int Dim>
 std::unique_ptr<SymmetricSolver> dissectedSolver(const SymmetricMatrix& A, Places<Dim> place, Precision precision) {
     const int parts = nParts(A.n);
-    auto part = partsOfUnknowns<Dim>(A, place, parts);
+    auto part = equalSlabs<Dim>(A, place, parts);
     if (precision == Precision::twofold)
         return std::make_unique<DissectedLdlt<Dim, double>>(std::move(place), std::move(part), parts);
     if (precision == Precision::singleThroughout)
@@ -58,6 +56,7 @@ std::unique_ptr<SymmetricSolver> elasticSolver(const SymmetricMatrix& A, Places<
 }
 
 #define PFEM_INSTANTIATE(D)                                                                                     \
+    template std::vector<int> equalSlabs<D>(const SymmetricMatrix&, const Places<D>&, int);                     \
     template std::unique_ptr<SymmetricSolver> dissectedSolver<D>(const SymmetricMatrix&, Places<D>, Precision); \
     template std::unique_ptr<SymmetricSolver> elasticSolver<D>(const SymmetricMatrix&, Places<D>, double);
 PFEM_INSTANTIATE(2)

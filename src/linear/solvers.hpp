@@ -2,6 +2,7 @@
 // Which solver a sparse symmetric matrix is given.
 
 #include <memory>
+#include <vector>
 
 #include "linear/nestedDissection.hpp"
 #include "linear/symmetricSolver.hpp"
@@ -10,6 +11,11 @@ namespace pfem {
 
 /// In which a factor is kept. It is computed in double precision, unless single is enough throughout.
 enum class Precision { singleThroughout, single, twofold };
+
+/// Part of each unknown: slabs of equal numbers, across the axis along which the fewest of those that meet are parted.
+/// Those between the slabs are of none: where they are many the lower slabs get as many more.
+template <int Dim>
+std::vector<int> equalSlabs(const SymmetricMatrix& A, const Places<Dim>& place, int nParts);
 
 /// A factor by dense fronts, of as many parts as pay; `place`: where each unknown of A is.
 template <int Dim>

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <random>
@@ -158,4 +159,40 @@ TEST(SymmetricSolver, newValuesOnTheSamePattern) {
     }
 }
 
+/// A bar of 5 x 10 x 24 places, in which those up to two steps away along each axis meet, as with nodal integration.
+std::pair<SymmetricMatrix, Places<3>> bar() {
+    constexpr int nx = 5, ny = 10, nz = 24;
+    Places<3> place;
+    for (int z = 0; z < nz; ++z)
+        for (int y = 0; y < ny; ++y)
+            for (int x = 0; x < nx; ++x) place.push_back(Eigen::Vector3d(x, y, z));
+    std::vector<std::vector<int>> lower(place.size());
+    for (std::size_t i = 0; i < place.size(); ++i)
+        for (std::size_t j = i + 1; j < place.size(); ++j)
+            if ((place[j] - place[i]).cwiseAbs().maxCoeff() <= 2) lower[i].push_back(static_cast<int>(j));
+    return {symmetricPattern(lower), place};
+}
+
+/// Unknowns of each part that meet no other part above.
+std::vector<int> insides(const SymmetricMatrix& A, const std::vector<int>& part, int nParts) {
+    const auto shared = sharedUnknowns(A, part);
+    std::vector<int> count(nParts, 0);
+    for (int i = 0; i < A.n; ++i) count[part[i]] += shared[i] == 0;
+    return count;
+}
+
 }  // namespace
+
+TEST(EqualSlabs, whatIsBetweenThemIsOfNone) {
+    const auto [A, place] = bar();
+    for (const int nParts : {2, 3}) {
+        const auto uneven = insides(A, slabs<3>(place, nParts, 2), nParts);
+        const auto even = insides(A, equalSlabs<3>(A, place, nParts), nParts);
+        const auto spread = [](const std::vector<int>& count) {
+            const auto [least, most] = std::minmax_element(count.begin(), count.end());
+            return *most - *least;
+        };
+        EXPECT_GE(spread(uneven), 100) << nParts;  // two layers of fifty
+        EXPECT_LE(spread(even), 50) << nParts;     // one
+    }
+}
