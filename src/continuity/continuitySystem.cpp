@@ -44,21 +44,21 @@ std::vector<int> columnStarts(const Step<Dim>& step, const Unknowns& u, const So
     };
     std::vector<int> start(u.n + 1, 1);  // the diagonals
     start[0] = 0;
-    for (std::size_t i = 0; i < u.pressure.size(); ++i) {
+    parallelFor(static_cast<int>(u.pressure.size()), [&](int i) {
         const int p = u.pressure[i];
-        if (p < 0 || step.isImage(static_cast<int>(i))) continue;
-        if (!u.isMade[i]) {
-            start[p + 1] = 0;
-            continue;
+        if (p < 0 || step.isImage(i)) return;
+        int count = u.isMade[i];
+        if (u.isMade[i]) {
+            count += ownUnknowns(i);
+            for (int s = ring.start[i]; s < ring.start[i + 1]; ++s)
+                count += (u.pressure[ring.node[s]] > p) + ownUnknowns(ring.node[s]);
+            if (riders.any())
+                count += riders.count(ring, i);
+            else if (!dofs.bodies.empty())
+                count -= sharedVelocities<Dim>(ring, dofs, i);
         }
-        start[p + 1] += ownUnknowns(static_cast<int>(i));
-        for (int s = ring.start[i]; s < ring.start[i + 1]; ++s)
-            start[p + 1] += (u.pressure[ring.node[s]] > p) + ownUnknowns(ring.node[s]);
-        if (riders.any())
-            start[p + 1] += riders.count(ring, static_cast<int>(i));
-        else if (!dofs.bodies.empty())
-            start[p + 1] -= sharedVelocities<Dim>(ring, dofs, static_cast<int>(i));
-    }
+        start[p + 1] = count;
+    });
     for (int j = 0; j < solid.n; ++j) start[u.nPressure + j + 1] = solid.start[j + 1] - solid.start[j];
     for (int j = 0; j < u.n; ++j) start[j + 1] += start[j];
     return start;
@@ -274,15 +274,15 @@ RankRows rowsOfRanks(const Ranks& ranks, const Share& share, const Unknowns& u) 
     return rows;
 }
 
-/// `elastic`: for the block of the solids; `rows`: who has which of the pressures.
-template <int Dim>
+/// `places()`: where each unknown is; `elastic`: for the block of the solids; `rows`: who has which of the pressures.
+template <int Dim, class PlacesOf>
 std::unique_ptr<SymmetricSolver> makeSolver(const ContinuityControls& controls, const SymmetricMatrix& A,
-                                            Places<Dim> place, const SaddleSizes& sizes, ElasticInverse elastic,
+                                            const PlacesOf& places, const SaddleSizes& sizes, ElasticInverse elastic,
                                             RankRows rows) {
     if (byMultigrid<Dim>(controls, sizes.nPressures, sizes.nElastic))
         return std::make_unique<MultigridSolver>(sizes, std::move(elastic), controls.solverTolerance, std::move(rows));
     const auto precision = controls.factorPrecision == "double" ? Precision::twofold : Precision::single;
-    return dissectedSolver<Dim>(A, std::move(place), precision);
+    return dissectedSolver<Dim>(A, places(), precision);
 }
 
 }  // namespace
@@ -322,7 +322,8 @@ ContinuitySystem<Dim>::ContinuitySystem(const Step<Dim>& step, const ContinuityC
     addSolid(elastic, solidScale<Dim>(step, controls), u.nPressure, A);
     if (!strong) addFreeSurface<Dim>(of, x, A);
 
-    solver_ = makeSolver<Dim>(controls, A, placesOfUnknowns<Dim>(step, x, u, solid.dofs), {u.nPressure, u.nSolid},
+    const auto places = [&] { return placesOfUnknowns<Dim>(step, x, u, solid.dofs); };
+    solver_ = makeSolver<Dim>(controls, A, places, {u.nPressure, u.nSolid},
                               {solid.factor, solidScale<Dim>(step, controls)},
                               rowsOfRanks(controls.ranks, fluid.domains.share, u));
     solver_->analyse(A);
@@ -334,11 +335,13 @@ std::vector<double> ContinuitySystem<Dim>::solve(const std::vector<double>& resi
     std::vector<double> dp(residual.size(), 0.0);
     if (n_ == 0) return dp;
     Eigen::VectorXd rhs = Eigen::VectorXd::Zero(nPressures_);
-    for (int i = 0; i < nOwn_; ++i)
+    parallelFor(nOwn_, [&](int i) {
         if (unknown_[i] >= 0) rhs[unknown_[i]] = -residual[i];
+    });
     const Eigen::VectorXd solution = solver_->solveFirst(rhs, n_);
-    for (std::size_t i = 0; i < residual.size(); ++i)
+    parallelFor(static_cast<int>(residual.size()), [&](int i) {
         if (unknown_[i] >= 0) dp[i] = solution[unknown_[i]];
+    });
     return dp;
 }
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/chosen.hpp"
 #include "continuity/stabilisation.hpp"
 #include "integration/sumAtNodes.hpp"
 #include "momentum/bentWalls.hpp"
@@ -80,6 +81,40 @@ void subtractProjection(const SmoothingDomains<Dim>& domains, const PerCell<doub
     });
 }
 
+/// What a face gives to its nodes: its own acceleration, and the weak p = 0.
+template <int Dim>
+struct FaceTerms {
+    std::array<double, Dim> inertia{}, pressure{};
+};
+
+template <int Dim>
+FaceTerms<Dim> faceTerms(const Step<Dim>& step, const FluidPhase<Dim>& phase, const Stabilisation& stabilisation,
+                         double tauFaces, const Nodes<Dim>& middle, const FluidFace<Dim>& face) {
+    FaceTerms<Dim> t;
+    const auto& tau = stabilisation.tau;
+    const Cells<Dim>& cells = phase.cells;
+    const ViscousFluid& fluid = step.problem.fluid(cells.material[face.cell]);
+    const auto& g = phase.domains.element[face.cell];
+    const Vec<Dim> area = faceArea<Dim>(middle.x, face.nodes);
+    const double measure = area.norm();
+    if (measure == 0) return t;
+    const Vec<Dim> n = area / measure;
+    for (int k = 0; tauFaces != 0 && k < Dim; ++k)
+        t.inertia[k] = tauFaces * measure / Dim * fluid.rho * middle.a[face.nodes[k]].dot(n);
+    if (face.kind != FaceKind::freeSurface || stabilisation.projected[face.cell]) return t;
+
+    const double twoOverH = 2 * measure / (Dim * g.measure);
+    Vec<Dim> dn = Vec<Dim>::Zero();  // L n of the cell
+    for (int k = 0; k <= Dim; ++k) dn += middle.v[cells.nodes[face.cell][k]] * g.gradN[k].dot(n);
+    const double viscous = 2 * phase.mu[face.cell] * dn.dot(n);
+    const double weight =
+        surfaceStabilisation<Dim>(tau[face.cell], phase.mu[face.cell], g.measure, measure) * measure / Dim;
+    const auto meniscus = meniscusPressure<Dim>(step.problem, fluid.rho, step.topology, middle, face.nodes);
+    for (int k = 0; k < Dim; ++k)
+        t.pressure[k] = weight * twoOverH * (middle.p[face.nodes[k]] - meniscus[k] - viscous);
+    return t;
+}
+
 template <int Dim>
 double meanOverCells(const SmoothingDomains<Dim>& domains, const PerCell<double>& value) {
     double sum = 0, volume = 0;
@@ -105,7 +140,6 @@ std::vector<double> continuityResidual(const Step<Dim>& step, const ContinuityCo
     const bool projection = controls.stabilisation == "projection";
     const auto& tau = stabilisation.tau;
     const auto& projected = stabilisation.projected;
-    const Cells<Dim>& cells = phase.cells;
     const SmoothingDomains<Dim>& domains = phase.domains;
     const Topology<Dim>& topology = step.topology;
     const Nodes<Dim>&middle = trial.middle, &old = step.old;
@@ -129,28 +163,17 @@ std::vector<double> continuityResidual(const Step<Dim>& step, const ContinuityCo
     });
 
     subtractChordFlux<Dim>(topology, step.constraints, trial.end, R);
-    for (const auto& face : topology.faces) {
-        const bool free = face.kind == FaceKind::freeSurface;
-        if (!free && (inertia || !controls.interfaceAcceleration)) continue;
-        const ViscousFluid& fluid = step.problem.fluid(cells.material[face.cell]);
-        const auto& g = domains.element[face.cell];
-        const Vec<Dim> area = faceArea<Dim>(middle.x, face.nodes);
-        const double measure = area.norm();
-        if (measure == 0) continue;
-        const Vec<Dim> n = area / measure;
-        if (!inertia)
-            for (int node : face.nodes) R[node] += tauFaces * measure / Dim * fluid.rho * middle.a[node].dot(n);
-        if (!free || projected[face.cell]) continue;
-
-        const double twoOverH = 2 * measure / (Dim * g.measure);
-        Vec<Dim> dn = Vec<Dim>::Zero();  // L n of the cell
-        for (int k = 0; k <= Dim; ++k) dn += middle.v[cells.nodes[face.cell][k]] * g.gradN[k].dot(n);
-        const double viscous = 2 * phase.mu[face.cell] * dn.dot(n);
-        const double weight =
-            surfaceStabilisation<Dim>(tau[face.cell], phase.mu[face.cell], g.measure, measure) * measure / Dim;
-        const auto meniscus = meniscusPressure<Dim>(step.problem, fluid.rho, topology, middle, face.nodes);
-        for (int k = 0; k < Dim; ++k)
-            R[face.nodes[k]] += weight * twoOverH * (middle.p[face.nodes[k]] - meniscus[k] - viscous);
+    const auto given = parallelChosen(static_cast<int>(topology.faces.size()), [&](int f) {
+        return topology.faces[f].kind == FaceKind::freeSurface || (!inertia && controls.interfaceAcceleration);
+    });
+    std::vector<FaceTerms<Dim>> ofFaces(given.size());
+    parallelFor(static_cast<int>(given.size()), [&](int k) {
+        ofFaces[k] = faceTerms<Dim>(step, phase, stabilisation, tauFaces, middle, topology.faces[given[k]]);
+    });
+    for (std::size_t f = 0; f < given.size(); ++f) {
+        const Face<Dim>& nodes = topology.faces[given[f]].nodes;
+        for (int k = 0; k < Dim; ++k) R[nodes[k]] += ofFaces[f].inertia[k];
+        for (int k = 0; k < Dim; ++k) R[nodes[k]] += ofFaces[f].pressure[k];
     }
     return R;
 }

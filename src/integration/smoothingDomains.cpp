@@ -1,8 +1,23 @@
 #include "integration/smoothingDomains.hpp"
 
+#include <algorithm>
+
 #include "integration/sumAtNodes.hpp"
 
 namespace pfem {
+
+namespace {
+
+/// Of cells that are others'.
+template <int Dim>
+CellGeometry<Dim> noGeometry() {
+    CellGeometry<Dim> none;
+    none.measure = 0;
+    none.gradN.fill(Vec<Dim>::Zero());
+    return none;
+}
+
+}  // namespace
 
 template <int Dim>
 SmoothingDomains<Dim> makeSmoothingDomains(const std::vector<Simplex<Dim>>& cells, const NodeToCells& around,
@@ -13,6 +28,7 @@ SmoothingDomains<Dim> makeSmoothingDomains(const std::vector<Simplex<Dim>>& cell
     domains.cells = &cells;
     domains.around = &around;
     domains.element.resize(cells.size());
+    if (!share.isWhole()) std::fill(domains.element.begin(), domains.element.end(), noGeometry<Dim>());
     domains.volume.resize(x.size());
     updateSmoothingDomains(domains, x);
     return domains;

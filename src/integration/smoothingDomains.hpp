@@ -19,11 +19,20 @@ namespace pfem {
 /// Where stress lives: at the nodes, each with the mean of its patch, or in the elements.
 enum class Integration { nodal, elemental };
 
+/// Of a cell. New ones in arrays are not set to zero (as those of SimplexGeometry would be): threads set them.
+template <int Dim>
+struct CellGeometry : SimplexGeometry<Dim> {
+    CellGeometry();
+    CellGeometry(const SimplexGeometry<Dim>& g) : SimplexGeometry<Dim>(g) {}
+};
+template <int Dim>
+CellGeometry<Dim>::CellGeometry() = default;
+
 template <int Dim>
 struct SmoothingDomains {
     const std::vector<Simplex<Dim>>* cells = nullptr;
     const NodeToCells* around = nullptr;
-    PerCell<SimplexGeometry<Dim>> element;
+    PerCell<CellGeometry<Dim>> element;
     PerNode<double> volume;                   // Omega_I [m2 (2D), m3]; 0 outside the material
     Integration scheme = Integration::nodal;  // which of them are stress points (stressPoints.hpp)
     Share share;                              // of all loops: beyond it numbers are old ones or none

@@ -37,8 +37,9 @@ void startPetsc(bool isShared) {
             PetscOptionsSetValue(nullptr, "-pfem_mg_levels_ksp_type", "richardson");
             PetscOptionsSetValue(nullptr, "-pfem_mg_levels_ksp_max_it", "1");
             PetscOptionsSetValue(nullptr, "-pfem_mg_levels_pc_type", "sor");
-            // ranks: PETSc's own choice adds what comes from others in the order in which it arrives
-            if (byRanks) PetscOptionsSetValue(nullptr, "-matptap_via", "backend");
+            // ranks: PETSc's own choice adds what comes from others in the order in which it arrives; one process: its
+            // own choice is slower
+            PetscOptionsSetValue(nullptr, "-matptap_via", byRanks ? "backend" : "rap");
         }
         ~Session() { PetscFinalize(); }
         Session(const Session&) = delete;

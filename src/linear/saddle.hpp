@@ -1,6 +1,7 @@
 #pragma once
 // Pressures and velocities of a quasi-definite matrix [K B; B^T -M], the velocities eliminated: K + B M^{-1} B^T.
 
+#include "base/unset.hpp"
 #include "linear/symmetricMatrix.hpp"
 
 namespace pfem {
@@ -8,8 +9,8 @@ namespace pfem {
 /// A sparse matrix by rows.
 struct SparseRows {
     std::vector<int> start{0};
-    std::vector<int> column;
-    std::vector<double> value;
+    UnsetVector<int> column;
+    UnsetVector<double> value;
 
     int n() const { return static_cast<int>(start.size()) - 1; }
 };

@@ -150,14 +150,18 @@ PetscErrorCode multiplyAdd(::Mat A, ::Vec in, ::Vec given, ::Vec out) {
 /// x += M^{-1} (b - A x), M: the symmetric sweep of each block, its diagonal with what is added to it.
 class Sweep {
 public:
-    Sweep(::Mat A, ::Vec right, ::Vec out) : A_(A), blocks_(blocksOf(A)), b_(right), x_(out), t_(A_.n) {}
+    Sweep(::Mat A, ::Vec right, ::Vec out)
+        : A_(A), blocks_(blocksOf(A)), b_(right), x_(out), old_(unset(A_.n)), t_(unset(A_.n)) {}
 
     void run(bool fromZero) {
-        if (!fromZero) old_.assign(x_.values, x_.values + A_.n);
-        parallelTasks(blocks_.size(), [&](int block) { sweepBlock(block, fromZero ? nullptr : old_.data()); });
+        if (!fromZero) parallelFor(A_.n, [&](int i) { old_[i] = x_[i]; });
+        parallelTasks(blocks_.size(), [&](int block) { sweepBlock(block, fromZero ? nullptr : old_.get()); });
     }
 
 private:
+    /// Numbers that are written before they are read.
+    static std::unique_ptr<double[]> unset(PetscInt n) { return std::make_unique_for_overwrite<double[]>(n); }
+
     /// Forward and backward. `old`: what other rows have, and these before the sweep; null: zero.
     void sweepBlock(int block, const double* old) {
         const auto [first, last] = std::pair(blocks_.first(block), blocks_.ends[block]);
@@ -183,7 +187,7 @@ private:
     const Blocks& blocks_;
     const Input b_;
     const Output x_;
-    std::vector<double> old_, t_;  // t_: what is left of b below the diagonal
+    std::unique_ptr<double[]> old_, t_;  // t_: what is left of b below the diagonal
 };
 
 template <class Kernel>

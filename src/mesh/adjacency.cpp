@@ -6,7 +6,9 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/chosen.hpp"
 #include "base/parallel.hpp"
+#include "base/unset.hpp"
 #include "mesh/sharedTopology.hpp"
 #include "mesh/simplex.hpp"
 
@@ -146,7 +148,8 @@ NodeToNodes nodeToNodes(const std::vector<Simplex<Dim>>& cells, const NodeToCell
     const auto ringAt = [&](int i) {
         return static_cast<std::ptrdiff_t>(Dim) * (around.start[i] - around.start[run.first]);
     };
-    std::vector<int> ring(ringAt(run.last)), count(nNodes, 0);
+    UnsetVector<int> ring(ringAt(run.last));
+    std::vector<int> count(nNodes, 0);
     NodeToNodes result;
 #pragma omp parallel if (cells.size() > shortLoop)
     {
@@ -225,10 +228,7 @@ std::vector<unsigned char> openFaces(const std::vector<Simplex<Dim>>& cells, con
 
 /// The open ones in the order of cells: Dim + 1 times the cell + corner.
 std::vector<int> listOf(const std::vector<unsigned char>& open) {
-    std::vector<int> list;
-    for (int at = 0; at < static_cast<int>(open.size()); ++at)
-        if (open[at]) list.push_back(at);
-    return list;
+    return parallelChosen(static_cast<int>(open.size()), [&](int at) { return open[at] != 0; });
 }
 
 template <int Dim>

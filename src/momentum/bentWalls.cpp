@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/chosen.hpp"
 #include "mesh/simplex.hpp"
 #include "mesh/skinPoints.hpp"
 
@@ -21,12 +22,23 @@ bool isChord(const Topology<Dim>& topology, const FluidFace<Dim>& face) {
     });
 }
 
-/// Points on a face on a solid; of others none.
 template <int Dim>
-std::vector<SkinPoint<Dim>> pointsOnSolid(const Topology<Dim>& topology, const Points<Dim>& x,
-                                          const FluidFace<Dim>& face) {
-    if (face.wall < 0 || !topology.isSkin(face.wall)) return {};
-    return skinPoints<Dim>(topology, x, face);
+bool isOnSkin(const Topology<Dim>& topology, const FluidFace<Dim>& face) {
+    return face.wall >= 0 && topology.isSkin(face.wall);
+}
+
+/// visit(face, its points on a solid) for chords, of which there are none, and faces on skins with points there.
+template <int Dim, class Visit>
+void forChords(const Topology<Dim>& topology, const Points<Dim>& x, const Visit& visit) {
+    const auto found = parallelChosen(static_cast<int>(topology.faces.size()), [&](int f) {
+        return isOnSkin<Dim>(topology, topology.faces[f]) || isChord<Dim>(topology, topology.faces[f]);
+    });
+    for (const int f : found) {
+        const auto& face = topology.faces[f];
+        const bool onSkin = isOnSkin<Dim>(topology, face);
+        const auto points = onSkin ? skinPoints<Dim>(topology, x, face) : std::vector<SkinPoint<Dim>>();
+        if (!onSkin || !points.empty()) visit(face, points);
+    }
 }
 
 /// The mean of the face's values by these weights.
@@ -47,23 +59,19 @@ double weight(int I, int J) {
 
 template <int Dim>
 void addChordPressure(const Topology<Dim>& topology, const Nodes<Dim>& nodes, Points<Dim>& force) {
-    for (const auto& face : topology.faces) {
-        const auto points = pointsOnSolid<Dim>(topology, nodes.x, face);
-        if (points.empty() && !isChord<Dim>(topology, face)) continue;
+    forChords<Dim>(topology, nodes.x, [&](const FluidFace<Dim>& face, const std::vector<SkinPoint<Dim>>& points) {
         const Vec<Dim> area = faceArea<Dim>(nodes.x, face.nodes);
         for (const auto& point : points)
             point.onSolid.spread(point.part * meanOf<Dim>(nodes.p, face.nodes, point.onFluid) * area, force);
         for (int J = 0; J < Dim; ++J)
             for (int I = 0; I < Dim; ++I) force[face.nodes[J]] -= weight<Dim>(I, J) * nodes.p[face.nodes[I]] * area;
-    }
+    });
 }
 
 template <int Dim>
 void subtractChordFlux(const Topology<Dim>& topology, const NodeConstraints<Dim>& constraints, const Nodes<Dim>& nodes,
                        std::vector<double>& residual) {
-    for (const auto& face : topology.faces) {
-        const auto points = pointsOnSolid<Dim>(topology, nodes.x, face);
-        if (points.empty() && !isChord<Dim>(topology, face)) continue;
+    forChords<Dim>(topology, nodes.x, [&](const FluidFace<Dim>& face, const std::vector<SkinPoint<Dim>>& points) {
         const Vec<Dim> area = faceArea<Dim>(nodes.x, face.nodes);
         for (const auto& point : points)
             for (int I = 0; I < Dim; ++I)
@@ -73,7 +81,7 @@ void subtractChordFlux(const Topology<Dim>& topology, const NodeConstraints<Dim>
             const double flux = area.dot(points.empty() ? constraints.project(face.nodes[J], v) : v);
             for (int I = 0; I < Dim; ++I) residual[face.nodes[I]] -= weight<Dim>(I, J) * flux;
         }
-    }
+    });
 }
 
 #define PFEM_INSTANTIATE(D)                                                                            \

@@ -65,7 +65,10 @@ void addMeniscus(const Problem<Dim>& problem, const Cells<Dim>& fluid, const Top
 template <int Dim>
 double meniscusWork(const Problem<Dim>& problem, const Cells<Dim>& fluid, const Topology<Dim>& topology,
                     const Nodes<Dim>& old, const Nodes<Dim>& now, double gamma) {
-    Nodes<Dim> middle = old;
+    Nodes<Dim> middle;  // of what addMeniscus asks for
+    middle.x.resize(old.x.size());
+    middle.v.resize(old.v.size());
+    middle.h = old.h;
     Points<Dim> force(old.x.size(), Vec<Dim>::Zero());
     parallelFor(old.size(), [&](int i) {
         middle.x[i] = (1 - gamma) * old.x[i] + gamma * now.x[i];

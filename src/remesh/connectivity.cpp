@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/chosen.hpp"
 #include "base/parallel.hpp"
 #include "mesh/heldPoints.hpp"
 #include "mesh/onFace.hpp"
 #include "mesh/simplex.hpp"
 #include "mesh/wallUnder.hpp"
-#include "remesh/heirs.hpp"
 
 namespace pfem {
 
@@ -108,33 +108,37 @@ public:
     Connectivity<Dim> select() {
         judge();
         countCells();
-        Connectivity<Dim>& result = result_;
         peel();
-        result.fluid.reserve(t_.cells.size());
-        for (std::size_t e = 0; e < t_.cells.size(); ++e) {
-            if (gap_[e]) result.gaps.push_back(t_.cells[e]);
-            if (!accepted_[e]) continue;
-            result.fluid.push_back(t_.cells[e]);
-            if (inside_[e]) continue;
+        result_.fluid = cellsWhere([&](int e) { return accepted_[e] != 0; });
+        result_.gaps = cellsWhere([&](int e) { return gap_[e] != 0; });
+        for (const int e : parallelChosen(nCells(), [&](int k) { return accepted_[k] && !inside_[k]; }))
             change(e, VolumeCause::contact, 1);
-        }
-        return std::move(result);
+        return std::move(result_);
     }
 
 private:
+    int nCells() const { return static_cast<int>(t_.cells.size()); }
+
+    template <class Holds>
+    std::vector<Simplex<Dim>> cellsWhere(const Holds& holds) const {
+        const auto found = parallelChosen(nCells(), holds);
+        std::vector<Simplex<Dim>> cells(found.size());
+        parallelFor(static_cast<int>(found.size()), [&](int k) { cells[k] = t_.cells[found[k]]; });
+        return cells;
+    }
+
     /// Most cells of the fluid are found among the old cells of their own nodes; of the others all centroids are looked
     /// for at once.
     void judge() {
-        const int n = static_cast<int>(t_.cells.size());
-        std::vector<unsigned char> isOpen(n);
-        parallelFor(n, [&](int e) {
+        std::vector<unsigned char> isOpen(nCells());
+        parallelFor(nCells(), [&](int e) {
             const auto& s = t_.cells[e];
             if (isFlatOnWall(s) || (isOnSolids(s) && isSliver(s))) return;
             accepted_[e] = inside_[e] = wasFluidAround(s, simplexCentroid<Dim>(nodes_.x, s));
             isOpen[e] = !inside_[e];
         });
         const auto forOpen = [&](const std::vector<Simplex<Dim>>& old, const auto& decide) {  // decide(e, in old mesh)
-            const auto open = chosen(isOpen);
+            const auto open = parallelChosen(nCells(), [&](int e) { return isOpen[e] != 0; });
             Points<Dim> centres;
             for (const int e : open) centres.push_back(simplexCentroid<Dim>(nodes_.x, t_.cells[e]));
             const auto held = heldPoints<Dim>(moved_.x, old, centres);
@@ -306,12 +310,9 @@ private:
     }
 
     void peel() {
-        const int n = static_cast<int>(t_.cells.size());
-        std::vector<unsigned char> isOpen(n);  // the others come when a neighbour has gone
-        parallelFor(n, [&](int e) { isOpen[e] = accepted_[e] && (isAtSurface(e) || isTrapped(e)); });
-        std::vector<int> work;
-        for (int e = 0; e < n; ++e)
-            if (isOpen[e]) work.push_back(e);
+        std::vector<int> work = parallelChosen(nCells(), [&](int e) {  // others come when a neighbour has gone
+            return accepted_[e] && (isAtSurface(e) || isTrapped(e));
+        });
         while (!work.empty()) {
             const int e = work.back();
             work.pop_back();

@@ -104,7 +104,9 @@ std::vector<Turned> sortedCells(const Cdt& cdt, int nPoints) {
 }  // namespace
 
 template <>
-struct Triangulator<2>::Kept : MovedTriangulation {};
+struct Triangulator<2>::Kept : MovedTriangulation {
+    Triangulation<2> result;
+};
 
 template <>
 Triangulator<2>::Triangulator(Ranks ranks, double halo) : ranks_(ranks), halo_(halo), kept_(std::make_unique<Kept>()) {}
@@ -129,9 +131,11 @@ void Triangulator<2>::follow(const Points<2>& points, const std::vector<Id>& ids
 }
 
 template <>
-Triangulation<2> Triangulator<2>::triangulation(int nPoints) {
+const Triangulation<2>& Triangulator<2>::triangulation(int nPoints) {
     Cdt& cdt = kept_->cdt;
-    if (cdt.dimension() < 2) return {};
+    Triangulation<2>& result = kept_->result;
+    result = {};
+    if (cdt.dimension() < 2) return result;
     const auto cells = sortedCells(cdt, nPoints);
     const int nCells = static_cast<int>(cells.size());
     auto infinite = cdt.incident_faces(cdt.infinite_vertex());
@@ -140,7 +144,6 @@ Triangulation<2> Triangulator<2>::triangulation(int nPoints) {
         if (++infinite == done) break;
     }
     parallelFor(nCells, [&](int e) { cells[e].face->info() = e; });
-    Triangulation<2> result;
     result.cells.resize(nCells);
     result.neighbours.resize(nCells);
     parallelFor(nCells, [&](int e) {

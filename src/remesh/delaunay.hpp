@@ -5,14 +5,15 @@
 #include <vector>
 
 #include "base/types.hpp"
+#include "base/unset.hpp"
 #include "parallel/ranks.hpp"
 
 namespace pfem {
 
 template <int Dim>
 struct Triangulation {
-    std::vector<Simplex<Dim>> cells;                   // positively oriented, all of the convex hull
-    std::vector<std::array<int, Dim + 1>> neighbours;  // opposite to local node k; -1 outside the hull
+    UnsetVector<Simplex<Dim>> cells;                   // positively oriented, all of the convex hull
+    UnsetVector<std::array<int, Dim + 1>> neighbours;  // opposite to local node k; -1 outside the hull
 };
 
 /// Delaunay triangulations of points that move a little from one time to the next. The result is that of a
@@ -41,8 +42,8 @@ public:
 
     const Ranks& ranks() const { return ranks_; }
 
-    /// Of the nPoints points followed last; to be asked for once.
-    Triangulation<Dim> triangulation(int nPoints);
+    /// Of the nPoints points followed last, until others are; to be asked for once.
+    const Triangulation<Dim>& triangulation(int nPoints);
 
 private:
     struct Kept;

@@ -152,7 +152,7 @@ void Triangulator<3>::follow(const Points<3>& points, const std::vector<Id>& ids
 }
 
 template <>
-Triangulation<3> Triangulator<3>::triangulation(int) {
+const Triangulation<3>& Triangulator<3>::triangulation(int) {
     return kept_->last;
 }
 

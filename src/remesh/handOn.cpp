@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/chosen.hpp"
 #include "state/images.hpp"
 
 namespace pfem {
@@ -17,20 +18,20 @@ void handOn(const Topology<Dim>& topology, const State<Dim>& state, std::vector<
     const int nOwn = nOwnNodes<Dim>(state);
     for (int turn = 0; turn < rows; ++turn) {
         const std::vector<double> before = amounts;
-        bool any = false;
-        for (int i = 0; i < nOwn; ++i) {
-            if (std::abs(before[i]) <= capacity[i]) continue;
-            double sum = 0;
-            for (int s = ring.start[i]; s < ring.start[i + 1]; ++s) sum += capacity[ring.node[s]];
-            if (sum == 0) continue;
-            any = true;
+        std::vector<double> sum(nOwn);  // what the neighbours can take
+        const auto givers = parallelChosen(nOwn, [&](int i) {
+            if (std::abs(before[i]) <= capacity[i]) return false;
+            for (int s = ring.start[i]; s < ring.start[i + 1]; ++s) sum[i] += capacity[ring.node[s]];
+            return sum[i] != 0;
+        });
+        for (const int i : givers) {
             const double excess = before[i] - std::copysign(capacity[i], before[i]);
             amounts[i] -= excess;
             for (int s = ring.start[i]; s < ring.start[i + 1]; ++s)
-                amounts[images.own(ring.node[s])] += excess * (capacity[ring.node[s]] / sum);
+                amounts[images.own(ring.node[s])] += excess * (capacity[ring.node[s]] / sum[i]);
         }
         images.follow(amounts);
-        if (!any) return;
+        if (givers.empty()) return;
     }
 }
 

@@ -5,9 +5,10 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "base/chosen.hpp"
 #include "base/parallel.hpp"
 #include "mesh/sortedFace.hpp"
-#include "remesh/outwardFace.hpp"
+#include "remesh/openFaces.hpp"
 #include "remesh/pointGrid.hpp"
 #include "remesh/sharedDelaunay.hpp"
 
@@ -28,34 +29,31 @@ public:
     /// The cells of `last` that are still Delaunay, in their order.
     void takeOver(const Triangulation<3>& last, const std::vector<int>& now) {
         const int n = static_cast<int>(last.cells.size());
-        std::vector<int> number(n, -1);
-        parallelFor(n, [&](int e) {
+        const std::vector<int> taken = parallelChosen(n, [&](int e) {
             const Simplex<3> cell = renamed(last.cells[e], now);
-            if (cell != noCell && isCell(cell)) number[e] = 0;
+            return cell != noCell && isCell(cell);
         });
-        int count = 0;
-        for (int& each : number)
-            if (each == 0) each = count++;
-        known_.cells.resize(count);
-        known_.neighbours.resize(count);
-        parallelFor(n, [&](int e) {
-            if (number[e] < 0) return;
-            known_.cells[number[e]] = renamed(last.cells[e], now);
+        nOld_ = static_cast<int>(taken.size());
+        std::vector<int> number(n, -1);
+        parallelFor(nOld_, [&](int e) { number[taken[e]] = e; });
+        known_.cells.resize(nOld_);
+        known_.neighbours.resize(nOld_);
+        parallelFor(nOld_, [&](int e) {
+            known_.cells[e] = renamed(last.cells[taken[e]], now);
             for (int k = 0; k < 4; ++k) {
-                const int other = last.neighbours[e][k];
-                known_.neighbours[number[e]][k] = other < 0 ? -1 : number[other];
+                const int other = last.neighbours[taken[e]][k];
+                known_.neighbours[e][k] = other < 0 ? -1 : number[other];
             }
         });
-        nOld_ = count;
     }
     int nCells() const { return static_cast<int>(known_.cells.size()); }
 
     /// Cells beyond open faces, beyond those of the new ones and so on.
     void grow() {
         std::vector<Face<3>> faces, next;
-        for (int e = 0; e < nOld_; ++e)
-            for (int k = 0; k < 4; ++k)
-                if (known_.neighbours[e][k] < 0) leaveOpen(e, k, faces);
+        const auto open = openFaces(known_, x_, box_);
+        open_.reserve(2 * open.size());
+        for (const auto& [face, e, k] : open) leaveOpen(face, {e, k}, faces);
         std::vector<Simplex<3>> found;
         while (!faces.empty()) {
             found.resize(faces.size());
@@ -73,17 +71,10 @@ public:
         std::vector<int> order(cells.size() - nOld_);
         std::iota(order.begin(), order.end(), nOld_);
         std::sort(order.begin(), order.end(), [&](int a, int b) { return cells[a] < cells[b]; });
+        const Merged merged(cells.begin(), nOld_, static_cast<int>(order.size()),
+                            [&](int r) { return cells[order[r]]; });
         std::vector<int> number(cells.size());
-        std::size_t nFresh = 0;
-        const auto placeFresh = [&](int nBefore) {
-            number[order[nFresh]] = nBefore + static_cast<int>(nFresh);
-            ++nFresh;
-        };
-        for (int e = 0; e < nOld_; ++e) {
-            while (nFresh < order.size() && cells[order[nFresh]] < cells[e]) placeFresh(e);
-            number[e] = e + static_cast<int>(nFresh);
-        }
-        while (nFresh < order.size()) placeFresh(nOld_);
+        merged.place([&](int e, int to) { number[e] = to; }, [&](int r, int to) { number[order[r]] = to; });
         Triangulation<3> result;
         result.cells.resize(cells.size());
         result.neighbours.resize(cells.size());
@@ -169,10 +160,8 @@ private:
         return noCell;
     }
 
-    void leaveOpen(int cell, int opposite, std::vector<Face<3>>& faces) {
-        const Face<3> face = outwardFace(known_.cells[cell], opposite);
-        if (box_.hasAtSide(x_, face)) return;
-        open_[sorted<3>(face)] = {cell, opposite};
+    void leaveOpen(const Face<3>& face, const Side& side, std::vector<Face<3>>& faces) {
+        open_[sorted<3>(face)] = side;
         faces.push_back(face);
     }
 
@@ -183,7 +172,8 @@ private:
         for (int k = 0; k < 4; ++k) {
             const auto other = open_.find(sorted<3>(oppositeFace<3>(cell, k)));
             if (other == open_.end()) {
-                leaveOpen(e, k, faces);
+                const Face<3> face = outwardFace(cell, k);
+                if (!box_.hasAtSide(x_, face)) leaveOpen(face, {e, k}, faces);
                 continue;
             }
             known_.neighbours[e][k] = other->second.cell;

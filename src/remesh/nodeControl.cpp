@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <numeric>
 
 #include "base/parallel.hpp"
 #include "mesh/simplex.hpp"
@@ -201,9 +202,12 @@ private:
     }
 
     bool isBoundaryEdge(int i, int j) const {
-        if constexpr (Dim == 3)
-            return std::binary_search(boundaryEdges_.begin(), boundaryEdges_.end(),
-                                      std::array<int, 2>{std::min(i, j), std::max(i, j)});
+        if constexpr (Dim == 3) {
+            const int low = std::min(i, j);
+            const auto from = upperEnds_.begin();
+            const auto last = from + edgeStart_[low + 1];
+            return std::find(from + edgeStart_[low], last, std::max(i, j)) != last;
+        }
         int cells = 0;
         const auto& around = moved_.topology.fluid;
         for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
@@ -224,13 +228,19 @@ private:
     }
 
     void findBoundaryEdges() {
-        if constexpr (Dim == 3)
+        if (Dim == 2) return;
+        const auto forEdges = [&](const auto& visit) {
             for (const auto& face : moved_.topology.faces)
                 for (int k = 0; k < 3; ++k) {
-                    const int i = face.nodes[k], j = face.nodes[(k + 1) % 3];
-                    boundaryEdges_.push_back({std::min(i, j), std::max(i, j)});
+                    const int i = face.nodes[k % Dim], j = face.nodes[(k + 1) % Dim];
+                    visit(std::min(i, j), std::max(i, j));
                 }
-        std::sort(boundaryEdges_.begin(), boundaryEdges_.end());
+        };
+        edgeStart_.assign(moved_.x.size() + 2, 0);
+        forEdges([&](int low, int) { ++edgeStart_[low + 2]; });
+        std::partial_sum(edgeStart_.begin(), edgeStart_.end(), edgeStart_.begin());
+        upperEnds_.resize(edgeStart_.back());
+        forEdges([&](int low, int high) { upperEnds_[edgeStart_[low + 1]++] = high; });
     }
 
     /// The surface polygon without removed nodes and with the halves of split edges.
@@ -274,9 +284,9 @@ private:
     const std::vector<double>& h_;
     const std::vector<unsigned char>& kept_;
     const NodeToNodes& ring_;
-    std::vector<std::array<int, 2>> boundaryEdges_;  // (3D) of faces without a neighbour, sorted
-    std::vector<double> height_;                     // per cell, the least over a face of the free surface [m]
-    double closest_ = 0;                             // in units of h: no node goes for one that is farther
+    std::vector<int> edgeStart_, upperEnds_;  // (3D) edges of faces without a neighbour, by their lower nodes
+    std::vector<double> height_;              // per cell, the least over a face of the free surface [m]
+    double closest_ = 0;                      // in units of h: no node goes for one that is farther
     std::vector<unsigned char> locked_;
     std::vector<unsigned char> near_;  // to a neighbour: such a node may have to go
     std::vector<unsigned char> long_;  // the end of an edge that may get a node

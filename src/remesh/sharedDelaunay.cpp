@@ -1,23 +1,17 @@
 #include "remesh/sharedDelaunay.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <numeric>
 
 #include "base/parallel.hpp"
-#include "remesh/outwardFace.hpp"
-#include "remesh/pointBox.hpp"
+#include "remesh/openFaces.hpp"
 #include "remesh/provenCells.hpp"
 #include "remesh/spaceDelaunay.hpp"
 
 namespace pfem {
 
 namespace {
-
-/// A face of the known cells beyond which no cell is known.
-struct OpenFace {
-    Face<3> face;  // outward
-    int cell, opposite;
-};
 
 /// What is missing beside known cells.
 class Completion {
@@ -34,20 +28,25 @@ public:
     /// crossing one: what fills a gap between known cells, or between them and the hull, meets one of them. Does each
     /// open face have its other side?
     bool findMissing() {
-        std::size_t closed = 0;
-        std::vector<int> work;
-        const auto take = [&](int r) {
-            if (!missing_[r]) work.push_back(r);
-            missing_[r] = 1;
-        };
-        for (int r = 0; r < static_cast<int>(rest_.cells.size()); ++r)
+        const int n = static_cast<int>(rest_.cells.size());
+        const auto closed = parallelSum(n, [&](int r) {
+            std::size_t count = 0;
             for (int k = 0; k < 4; ++k) {
                 const Face<3> face = outwardFace(rest_.cells[r], k);
                 beyond_[r][k] = openFace(turnedRound(face));
                 const bool atHull = rest_.neighbours[r][k] < 0;
-                closed += beyond_[r][k] >= 0 || (atHull && openFace(face) >= 0);
-                if (beyond_[r][k] >= 0) take(r);
+                count += beyond_[r][k] >= 0 || (atHull && openFace(face) >= 0);
             }
+            return count;
+        });
+        std::vector<int> work = parallelChosen(n, [&](int r) {
+            missing_[r] = std::any_of(beyond_[r].begin(), beyond_[r].end(), [](int face) { return face >= 0; });
+            return missing_[r] != 0;
+        });
+        const auto take = [&](int r) {
+            if (!missing_[r]) work.push_back(r);
+            missing_[r] = 1;
+        };
         while (!work.empty()) {
             const int r = work.back();
             work.pop_back();
@@ -61,26 +60,27 @@ public:
     Triangulation<3> merged() const {
         const auto& cells = known_.cells;
         const auto& neighbours = known_.neighbours;
-        std::vector<int> ofKnown(cells.size()), ofRest(rest_.cells.size(), -1);
+        std::vector<int> ofKnown(cells.size()), ofRest(rest_.cells.size(), -1), added;
+        for (int r = 0; r < static_cast<int>(rest_.cells.size()); ++r)
+            if (missing_[r]) added.push_back(r);
+        const Merged merged(cells.begin(), static_cast<int>(cells.size()), static_cast<int>(added.size()),
+                            [&](int r) { return rest_.cells[added[r]]; });
         Triangulation<3> result;
-        result.cells.reserve(cells.size() + rest_.cells.size());
-        std::size_t e = 0;
-        const auto takeKnown = [&] {
-            ofKnown[e] = static_cast<int>(result.cells.size());
-            result.cells.push_back(cells[e++]);
-        };
-        for (std::size_t r = 0; r < rest_.cells.size(); ++r) {
-            if (!missing_[r]) continue;
-            while (e < cells.size() && cells[e] < rest_.cells[r]) takeKnown();
-            ofRest[r] = static_cast<int>(result.cells.size());
-            result.cells.push_back(rest_.cells[r]);
-        }
-        while (e < cells.size()) takeKnown();
-
-        result.neighbours.assign(result.cells.size(), {-1, -1, -1, -1});
+        result.cells.resize(cells.size() + added.size());
+        result.neighbours.resize(result.cells.size());
+        merged.place(
+            [&](int own, int to) {
+                ofKnown[own] = to;
+                result.cells[to] = cells[own];
+            },
+            [&](int r, int to) {
+                ofRest[added[r]] = to;
+                result.cells[to] = rest_.cells[added[r]];
+                result.neighbours[to] = {-1, -1, -1, -1};
+            });
         parallelFor(static_cast<int>(cells.size()), [&](int own) {
             for (int k = 0; k < 4; ++k)
-                if (neighbours[own][k] >= 0) result.neighbours[ofKnown[own]][k] = ofKnown[neighbours[own][k]];
+                result.neighbours[ofKnown[own]][k] = neighbours[own][k] < 0 ? -1 : ofKnown[neighbours[own][k]];
         });
         for (std::size_t r = 0; r < rest_.cells.size(); ++r)
             for (int k = 0; missing_[r] && k < 4; ++k) {
@@ -98,12 +98,7 @@ public:
 
 private:
     void findOpenFaces(const Points<3>& x, const PointBox& box) {
-        for (int e = 0; e < static_cast<int>(known_.cells.size()); ++e)
-            for (int k = 0; k < 4; ++k) {
-                if (known_.neighbours[e][k] >= 0) continue;
-                const Face<3> face = outwardFace(known_.cells[e], k);
-                if (!box.hasAtSide(x, face)) open_.push_back({face, e, k});
-            }
+        open_ = openFaces(known_, x, box);
         std::sort(open_.begin(), open_.end(), [](const OpenFace& a, const OpenFace& b) { return a.face < b.face; });
     }
 
@@ -120,8 +115,10 @@ private:
     /// through an open face.
     std::vector<int> openPoints(const std::vector<int>& active, std::size_t nPoints) const {
         std::vector<unsigned char> isOpen(nPoints, 1);
-        for (const auto& cell : known_.cells)
-            for (const int i : cell) isOpen[i] = 0;
+        parallelFor(static_cast<int>(known_.cells.size()), [&](int e) {
+            for (const int i : known_.cells[e])
+                std::atomic_ref(isOpen[i]).store(0, std::memory_order_relaxed);  // threads meet at nodes
+        });
         for (const auto& open : open_)
             for (const int i : open.face) isOpen[i] = 1;
         std::vector<int> points;
@@ -188,12 +185,13 @@ Triangulation<3> sharedDelaunay(const Points<3>& x, const std::vector<int>& acti
     const auto parts = bisect<3>(x, active, ranks.size());
     const ProvenCells mine = provenCells(x, active, parts, ranks.rank(), halo);
     std::vector<std::size_t> ends;
-    std::vector<Simplex<3>> known = ranks.gather(mine.cells, ends);
+    std::vector<Simplex<3>> known = ranks.gather(std::vector(mine.cells.begin(), mine.cells.end()), ends);
     const auto coincide = ranks.gather(std::vector<unsigned char>{mine.coincide});
     if (std::count(coincide.begin(), coincide.end(), 1) == 0) {
         mergeParts(known, ends);
-        std::vector<std::array<int, 4>> unknown(known.size(), {-1, -1, -1, -1});  // neighbours
-        if (auto whole = completed(x, active, {std::move(known), std::move(unknown)})) return *std::move(whole);
+        Triangulation<3> ofAll{{known.begin(), known.end()}, {}};
+        ofAll.neighbours.assign(known.size(), {-1, -1, -1, -1});  // unknown
+        if (auto whole = completed(x, active, std::move(ofAll))) return *std::move(whole);
     }
     return spaceDelaunay(x, active);  // of points that coincide one stands for all: which one, only the whole can say
 }

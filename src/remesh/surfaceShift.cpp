@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/chosen.hpp"
 #include "base/parallel.hpp"
 #include "conditions/wallFreedom.hpp"
 #include "mesh/simplex.hpp"
@@ -16,10 +17,8 @@ namespace {
 template <int Dim>
 std::vector<int> movableSurface(const Topology<Dim>& topology, const Mesh<Dim>& mesh) {
     const auto kept = keptNodes<Dim>(mesh, topology.nNodes());
-    std::vector<int> surface;
-    for (int i = 0; i < topology.nNodes(); ++i)
-        if (topology.freeSurface[i] && !kept[i] && !topology.onOpening(i)) surface.push_back(i);
-    return surface;
+    return parallelChosen(topology.nNodes(),
+                          [&](int i) { return topology.freeSurface[i] && !kept[i] && !topology.onOpening(i); });
 }
 
 /// a_I = sum_e |e| grad N_I: how the volume of the cells grows when the node moves; on walls its part along them.
@@ -63,19 +62,30 @@ std::vector<int> holdBack(const NodeToCells& around, const std::vector<Simplex<D
                           const std::vector<int>& surface, const Nodes<Dim>& nodes, Points<Dim>& shifted) {
     constexpr double small = Dim == 2 ? 0.1 : 0.002;  // of h^Dim; a regular triangle has 0.43, a tetrahedron 0.118
     const Points<Dim>& x = nodes.x;
+    const auto isSqueezed = [&](int i, const Simplex<Dim>& cell) {
+        const double before = simplexMeasure<Dim>(x, cell), after = simplexMeasure<Dim>(shifted, cell);
+        return !(after >= before || after >= std::max(0.5 * before, small * std::pow(nodes.h[i], Dim)));
+    };
+    std::vector<unsigned char> look(nodes.size());  // at the cells around these nodes
     std::vector<int> held;
     for (bool again = true; again;) {
         again = false;
+        parallelFor(static_cast<int>(surface.size()), [&](int k) {
+            const int i = surface[k];
+            look[i] = 0;
+            for (int s = around.start[i]; s < around.start[i + 1]; ++s) look[i] |= isSqueezed(i, cells[around.cell[s]]);
+        });
         for (int i : surface)
-            for (int s = around.start[i]; s < around.start[i + 1]; ++s) {
+            for (int s = around.start[i]; look[i] && s < around.start[i + 1]; ++s) {
                 const auto& cell = cells[around.cell[s]];
-                const double before = simplexMeasure<Dim>(x, cell), after = simplexMeasure<Dim>(shifted, cell);
-                if (after >= before || after >= std::max(0.5 * before, small * std::pow(nodes.h[i], Dim))) continue;
+                if (!isSqueezed(i, cell)) continue;
                 for (int node : cell) {
                     if (shifted[node] == x[node]) continue;
                     again = true;
                     shifted[node] = x[node];
                     held.push_back(node);
+                    for (int r = around.start[node]; r < around.start[node + 1]; ++r)  // all of them are other ones now
+                        for (int other : cells[around.cell[r]]) look[other] = 1;
                 }
             }
     }
@@ -92,7 +102,7 @@ void shiftSurface(const RemeshingControls& controls, const Topology<Dim>& topolo
     const auto& cells = state.mesh.fluid.nodes;
     const auto surface = movableSurface<Dim>(topology, state.mesh);
     std::vector<double> lost = nodes.lostVolume;
-    for (int i = 0; i < nodes.size(); ++i) lost[i] = (lost[i] - returned[i]) * share;
+    parallelFor(nodes.size(), [&](int i) { lost[i] = (lost[i] - returned[i]) * share; });
     auto wanted = sharedAlongSurface<Dim>(topology, lost);
     std::vector<Vec<Dim>> area(surface.size());
     std::vector<double> capacity(nodes.size(), 0.0);
@@ -107,7 +117,7 @@ void shiftSurface(const RemeshingControls& controls, const Topology<Dim>& topolo
         if constexpr (Dim == 3) {
             const auto before = wanted;
             handOn<Dim>(topology, state, capacity, wanted);
-            for (int i = 0; i < nodes.size(); ++i) nodes.lostVolume[i] += (wanted[i] - before[i]) / share;
+            parallelFor(nodes.size(), [&](int i) { nodes.lostVolume[i] += (wanted[i] - before[i]) / share; });
         }
         shifted = nodes.x;
         parallelFor(static_cast<int>(surface.size()), [&](int k) {

@@ -82,9 +82,10 @@ Motion<Dim> move(const Problem<Dim>& problem, const Problem<Dim>& within, const 
     motion.wallsOld = state.nodes.wall;
     motion.returned = returnedVolume<Dim>(topology, state, report.dt * volumeReturnRate(controls.continuity, report.dt),
                                           report.dt * divTarget);
+    const auto counted = images.empty() ? Cells<Dim>() : countedCells<Dim>(state);
     state.energy.book(EnergyCause::volume,
-                      volumeEnergy<Dim>(problem, images.empty() ? state.mesh.fluid : countedCells<Dim>(state),
-                                        state.nodes, result.nodes, images.counted(motion.returned), mass) +
+                      volumeEnergy<Dim>(problem, images.empty() ? state.mesh.fluid : counted, state.nodes, result.nodes,
+                                        images.counted(motion.returned), mass) +
                           meniscusWork<Dim>(within, state.mesh.fluid, topology, state.nodes, result.nodes,
                                             controls.timeIntegration.gamma));
     motion.compressed = compressedVolume<Dim>(problem, state.mesh.fluid, topology.fluid, result.nodes, state.nodes.p,

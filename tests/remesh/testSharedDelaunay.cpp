@@ -26,14 +26,14 @@ std::vector<int> all(const Points<3>& x) {
 std::optional<Triangulation<3>> byRanks(const Points<3>& x, const std::vector<int>& active, int nRanks, double halo,
                                         std::size_t& proven) {
     const auto parts = bisect<3>(x, active, nRanks);
-    std::vector<Simplex<3>> known;
+    UnsetVector<Simplex<3>> known;
     for (int rank = 0; rank < nRanks; ++rank) {
         const auto mine = provenCells(x, active, parts, rank, halo).cells;
         known.insert(known.end(), mine.begin(), mine.end());
     }
     proven = known.size();
     std::sort(known.begin(), known.end());
-    std::vector<std::array<int, 4>> unknown(known.size(), {-1, -1, -1, -1});
+    UnsetVector<std::array<int, 4>> unknown(known.size(), {-1, -1, -1, -1});
     return completed(x, active, {std::move(known), std::move(unknown)});
 }
 
