@@ -11,10 +11,6 @@ namespace pfem {
 /// Leaves new numbers as the memory is: zeroing them would be one thread's work, before the threads come that set them.
 template <class Value>
 struct LeaveUnset : std::allocator<Value> {
-    template <class Other>
-    struct rebind {
-        using other = LeaveUnset<Other>;
-    };
     LeaveUnset() = default;
     template <class Other>
     LeaveUnset(const LeaveUnset<Other>&) noexcept {}
