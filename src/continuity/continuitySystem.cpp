@@ -323,9 +323,9 @@ ContinuitySystem<Dim>::ContinuitySystem(const Step<Dim>& step, const ContinuityC
     if (!strong) addFreeSurface<Dim>(of, x, A);
 
     const auto places = [&] { return placesOfUnknowns<Dim>(step, x, u, solid.dofs); };
-    solver_ = makeSolver<Dim>(controls, A, places, {u.nPressure, u.nSolid},
-                              {solid.factor, solidScale<Dim>(step, controls)},
-                              rowsOfRanks(controls.ranks, fluid.domains.share, u));
+    solver_ =
+        makeSolver<Dim>(controls, A, places, {u.nPressure, u.nSolid}, {solid.factor, solidScale<Dim>(step, controls)},
+                        rowsOfRanks(controls.ranks, fluid.domains.share, u));
     solver_->analyse(A);
     solver_->factor(A);
 }

@@ -110,8 +110,7 @@ FaceTerms<Dim> faceTerms(const Step<Dim>& step, const FluidPhase<Dim>& phase, co
     const double weight =
         surfaceStabilisation<Dim>(tau[face.cell], phase.mu[face.cell], g.measure, measure) * measure / Dim;
     const auto meniscus = meniscusPressure<Dim>(step.problem, fluid.rho, step.topology, middle, face.nodes);
-    for (int k = 0; k < Dim; ++k)
-        t.pressure[k] = weight * twoOverH * (middle.p[face.nodes[k]] - meniscus[k] - viscous);
+    for (int k = 0; k < Dim; ++k) t.pressure[k] = weight * twoOverH * (middle.p[face.nodes[k]] - meniscus[k] - viscous);
     return t;
 }
 

@@ -116,7 +116,8 @@ template <int Dim>
 Trial<Dim> firstTrial(const Step<Dim>& step) {
     const Nodes<Dim>& old = step.old;
     Trial<Dim> trial;
-    parallelInvoke(old.size(), [&] { trial.end = old; }, [&] { trial.middle = old; });
+    parallelInvoke(
+        old.size(), [&] { trial.end = old; }, [&] { trial.middle = old; });
     trial.depth = depthGradient<Dim>(step.problem, old, step.dt());
     for (const auto& body : step.constraints.bodies) trial.twist.push_back(body.twist);
     moveEnd(step, trial.end);
