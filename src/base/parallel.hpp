@@ -13,8 +13,8 @@ namespace pfem {
 inline constexpr int shortLoop = 1500;
 inline constexpr int shortLongLoop = 150;  // where each item takes microseconds
 
-/// How many items a thread takes at a time: where only some have work (nodes of solids) these follow each other, so each
-/// has sixteen turns; more would be slower for long arrays.
+/// How many items a thread takes at a time: where only some have work (nodes of solids) these follow each other, so
+/// each has sixteen turns; more would be slower for long arrays.
 inline int itemsPerTurn(int n) { return std::max(64, n / (16 * omp_get_max_threads())); }
 
 /// work(0) ... work(n - 1), in parallel where they are many. They must not depend on each other nor throw.
