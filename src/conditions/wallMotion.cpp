@@ -18,8 +18,9 @@ WallMotion::WallMotion(const Dictionary& dict, bool plane) {
     if (dict.found("velocity")) velocity_ = vector("velocity");
     if (dict.found("angle")) angle_ = readFunction1<double>(dict, "angle");
     if (dict.found("omega")) omega_ = readFunction1<double>(dict, "omega");
-    if (!displacement_ && !velocity_ && !angle_ && !omega_)
-        throw UserError("A motion needs one of: displacement velocity angle omega", dict.where());
+    if (dict.found("absorb")) absorption_ = readAbsorption(dict, plane);
+    if (!displacement_ && !velocity_ && !angle_ && !omega_ && !absorption_)
+        throw UserError("A motion needs one of: displacement velocity angle omega absorb", dict.where());
     if (!angle_ && !omega_) return;
     origin_ = dict.get<Eigen::Vector3d>("origin");
     axis_ = dict.get("axis", axis_);
@@ -39,13 +40,17 @@ double WallMotion::angle(double t0, double t1) const {
     return omega_ ? omega_->integral(t0, t1) : 0;
 }
 
+Eigen::Vector3d WallMotion::velocity(double t) const {
+    if (displacement_) return displacement_->derivative(t);
+    return velocity_ ? velocity_->value(t) : Eigen::Vector3d(Eigen::Vector3d::Zero());
+}
+
 template <int Dim>
 RigidStep<Dim> WallMotion::step(double t0, double t1) const {
     RigidStep<Dim> s;
     s.from = (origin_ + displacement(0, t0)).head<Dim>();
     s.to = s.from + displacement(t0, t1).head<Dim>();
-    if (displacement_) s.velocity = displacement_->derivative(t1).head<Dim>();
-    if (velocity_) s.velocity = velocity_->value(t1).head<Dim>();
+    s.velocity = velocity(t1).head<Dim>();
     if (!angle_ && !omega_) return s;
     const Eigen::AngleAxisd turn(angle(t0, t1), axis_);
     const Eigen::Vector3d w = (angle_ ? angle_->derivative(t1) : omega_->value(t1)) * axis_;

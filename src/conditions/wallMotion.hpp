@@ -8,8 +8,10 @@
 //     }
 
 #include <memory>
+#include <optional>
 
 #include "base/types.hpp"
+#include "conditions/absorption.hpp"
 #include "dictionary/function1.hpp"
 
 namespace pfem {
@@ -32,13 +34,19 @@ struct RigidStep {
 /// Translation, and rotation about a point that translates.
 class WallMotion {
 public:
-    /// Entries: displacement or velocity; angle or omega, origin, axis. UserError for none or both of a pair.
+    /// Entries: displacement or velocity; angle or omega, origin, axis; absorb. UserError for none or both of a pair.
     /// `plane`: also for a z component, or another axis than z.
     explicit WallMotion(const Dictionary& dict, bool plane = false);
 
-    /// The motion from time t0 to t1 [s].
+    /// The motion from time t0 to t1 [s], without what it gives way.
     template <int Dim>
     RigidStep<Dim> step(double t0, double t1) const;
+
+    /// How it gives way to waves; nothing: it does not.
+    const std::optional<Absorption>& absorption() const { return absorption_; }
+    /// What is prescribed at a time t [s]: way since time 0, and velocity.
+    Eigen::Vector3d way(double t) const { return displacement(0, t); }
+    Eigen::Vector3d velocity(double t) const;
 
 private:
     Eigen::Vector3d displacement(double t0, double t1) const;  // between two times
@@ -48,6 +56,7 @@ private:
     Function1Ptr<double> angle_, omega_;                     // [rad], [rad/s]: one of them, or none
     Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
     Eigen::Vector3d axis_ = Eigen::Vector3d::UnitZ();
+    std::optional<Absorption> absorption_;
 };
 
 }  // namespace pfem

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "dictionary/function1Types.hpp"
+#include "dictionary/makerSurface.hpp"
 #include "waves/makerSignal.hpp"
 #include "waves/permanentWave.hpp"
 
@@ -11,18 +12,29 @@ namespace pfem::function1Detail {
 
 namespace {
 
-/// Displacement of a wave maker at the still level, from rest [m]; of an inlet what comes in [m2/s].
+using Signal = std::function<double(double)>;
+
+/// What a wave maker does over time, and the surface that it has then at its place [m].
+struct Signals {
+    Signal motion;  // displacement at the still level [m]; of an inlet what comes in [m2/s]
+    Signal surface = nullptr;  // of pistons
+};
+
 struct Motion {
-    std::function<double(double)> signal;  // from its start on
-    double ramp = 0, start = 0;            // [s]
-    double flapDepth = 0;                  // of a flap: its motion is an angle; 0: a piston
+    Signals signals;            // from its start on
+    double ramp = 0, start = 0; // [s]
+    double flapDepth = 0;       // of a flap: its motion is an angle; 0: a piston
 
     double value(double t) const {
+        const double x = grown(signals.motion, t);
+        return flapDepth > 0 ? std::atan(x / flapDepth) : x;
+    }
+    /// The signal from rest: it grows over the ramp.
+    double grown(const Signal& signal, double t) const {
         const double since = t - start;
         if (since <= 0) return 0;
-        const double grown = since < ramp ? 0.5 * (1 - std::cos(M_PI * since / ramp)) : 1;
-        const double x = grown * signal(since);
-        return flapDepth > 0 ? std::atan(x / flapDepth) : x;
+        const double part = since < ramp ? 0.5 * (1 - std::cos(M_PI * since / ramp)) : 1;
+        return part * signal(since);
     }
 };
 
@@ -44,8 +56,6 @@ double positive(const Dictionary& dict, const std::string& key) {
     return value;
 }
 
-using Signal = std::function<double(double)>;
-
 Signal sumOf(std::vector<Sine> sines) {
     return [sines = std::move(sines)](double t) { return sumAt(sines, t); };
 }
@@ -56,18 +66,22 @@ struct Source {
     bool inlet = false;
 };
 
-/// The signal for a surface that is a sum of small waves.
-Signal signalFor(const std::vector<Sine>& surface, const Source& source) {
-    return sumOf(source.inlet ? inflowFor(surface, source.flume) : motionFor(surface, source.flume));
+/// Those for a surface that is a sum of small waves.
+Signals signalsFor(const std::vector<Sine>& surface, const Source& source) {
+    if (source.inlet) return {sumOf(inflowFor(surface, source.flume))};
+    const auto motion = motionFor(surface, source.flume);
+    if (source.flume.maker == Maker::flap) return {sumOf(motion)};
+    return {sumOf(motion), sumOf(surfaceAtPiston(motion, source.flume))};
 }
 
 /// Waves that go on as they are; what comes in at an inlet is c eta.
-Signal permanentSignal(const PermanentWave& wave, const Source& source) {
-    if (source.inlet) return [wave](double t) { return wave.c * wave.surface(wave.k * wave.c * t); };
-    return [motion = PermanentMotion(wave, source.flume.depth)](double t) { return motion.value(t); };
+Signals permanentSignals(const PermanentWave& wave, const Source& source) {
+    if (source.inlet) return {[wave](double t) { return wave.c * wave.surface(wave.k * wave.c * t); }};
+    const PermanentMotion motion(wave, source.flume.depth);
+    return {[motion](double t) { return motion.value(t); }, [motion](double t) { return motion.surface(t); }};
 }
 
-Signal regularSignal(const Dictionary& dict, const std::string& theory, double height, const Source& source) {
+Signals regularSignals(const Dictionary& dict, const std::string& theory, double height, const Source& source) {
     const RegularWave wave{height, positive(dict, "period"), source.flume.depth, source.flume.gravity};
     if (theory == "stokes5" || theory == "cnoidal") {
         const auto permanent = theory == "cnoidal" ? cnoidalWave(wave) : stokesWave(wave);
@@ -76,21 +90,24 @@ Signal regularSignal(const Dictionary& dict, const std::string& theory, double h
             dict.fatal("theory", fmt::format("H L^2/d^3 is {:.3g} (wave length {:.4g} m): above 40 'stokes5' does not "
                                              "hold, below 10 'cnoidal'",
                                              number, 2 * M_PI / permanent.k));
-        return permanentSignal(permanent, source);
+        return permanentSignals(permanent, source);
     }
-    if (source.inlet) return signalFor({{0.5 * height, 2 * M_PI / wave.period, 0}}, source);
-    return sumOf(regularMotion(height, wave.period, theory == "secondOrder", source.flume));
+    const bool secondOrder = theory == "secondOrder";
+    if (source.inlet) return signalsFor({{0.5 * height, 2 * M_PI / wave.period, 0}}, source);
+    const Signal motion = sumOf(regularMotion(height, wave.period, secondOrder, source.flume));
+    if (source.flume.maker == Maker::flap) return {motion};
+    return {motion, sumOf(regularSurface(height, wave.period, secondOrder, source.flume))};
 }
 
-Signal seaSignal(const Dictionary& dict, const std::string& theory, double height, const Source& source) {
+Signals seaSignals(const Dictionary& dict, const std::string& theory, double height, const Source& source) {
     Sea sea{height, positive(dict, "period")};
     sea.gamma = theory == "piersonMoskowitz" ? 1 : dict.get("gamma", sea.gamma);
     sea.components = dict.get("components", sea.components);
     if (sea.components < 1) dict.fatal("components", "A sea needs a component at least");
     sea.seed = dict.get("seed", sea.seed);
-    if (theory != "focused") return signalFor(surfaceOf(sea), source);
+    if (theory != "focused") return signalsFor(surfaceOf(sea), source);
     const Focus focus{height, dict.get<double>("focusTime"), dict.get("focusPlace", 0.0)};
-    return signalFor(focusedGroup(sea, focus, source.flume.depth, source.flume.gravity), source);
+    return signalsFor(focusedGroup(sea, focus, source.flume.depth, source.flume.gravity), source);
 }
 
 Motion readMotion(const Dictionary& dict) {
@@ -114,12 +131,13 @@ Motion readMotion(const Dictionary& dict) {
     if (permanent && maker == "flap")
         dict.fatal("theory", "The theory '" + theory + "' is that of a piston or an inlet");
     if (theory == "solitary") {
-        motion.signal = [wave = SolitaryMotion(height, flume)](double t) { return wave.value(t); };
+        const SolitaryMotion wave(height, flume);
+        motion.signals = {[wave](double t) { return wave.value(t); }, [wave](double t) { return wave.surface(t); }};
         return motion;
     }
-    motion.signal = permanent || theory == "airy" || theory == "secondOrder"
-                        ? regularSignal(dict, theory, height, source)
-                        : seaSignal(dict, theory, height, source);
+    motion.signals = permanent || theory == "airy" || theory == "secondOrder"
+                         ? regularSignals(dict, theory, height, source)
+                         : seaSignals(dict, theory, height, source);
     motion.ramp = dict.get("ramp", positive(dict, "period"));
     return motion;
 }
@@ -139,3 +157,14 @@ template Function1Ptr<double> readMakerMotion<double>(const Dictionary&);
 template Function1Ptr<Eigen::Vector3d> readMakerMotion<Eigen::Vector3d>(const Dictionary&);
 
 }  // namespace pfem::function1Detail
+
+namespace pfem {
+
+std::function<double(double)> readMakerSurface(const Dictionary& dict) {
+    const auto motion = function1Detail::readMotion(dict);
+    if (!motion.signals.surface) dict.fatal("maker", "Only a piston gives way to waves: maker piston");
+    const double scale = dict.get("scale", Eigen::Vector3d(Eigen::Vector3d::UnitX())).norm();
+    return [motion, scale](double t) { return scale * motion.grown(motion.signals.surface, t); };
+}
+
+}  // namespace pfem

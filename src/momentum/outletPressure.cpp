@@ -21,7 +21,7 @@ double outsidePressure(const Problem<Dim>& problem, const Outlet& outlet, double
                        double outflow) {
     if (outlet.pressure) return outlet.pressure->value(problem.time);
     if (!outlet.level) return 0;
-    const Vec<Dim>& g = problem.gravity;
+    const Vec<Dim> g = problem.gravityOutside();
     return std::max(0.0,
                     rho * (g.norm() * outlet.level->value(problem.time) + g.dot(x)) + rho * outlet.waveSpeed * outflow);
 }
@@ -39,7 +39,7 @@ void addOutletPressure(const Problem<Dim>& problem, const Cells<Dim>& fluid, con
         for (int J = 0; J < Dim; ++J)
             for (const int i : face.nodes)  // int_f N_I N_J dS = |f| (1 + delta_IJ)/(Dim (Dim + 1))
                 force[face.nodes[J]] -= (i == face.nodes[J] ? 2.0 : 1.0) / (Dim * (Dim + 1)) *
-                                        outsidePressure<Dim>(problem, *outlet, rho, nodes.x[i], n.dot(nodes.v[i])) *
+                                        outsidePressure<Dim>(problem, *outlet, rho, nodes.x[i], n.dot(nodes.v[i] + problem.frameVelocity)) *
                                         area;
     }
 }

@@ -39,7 +39,11 @@ std::vector<KeywordTable> constantKeywords() {
                       "",
                       "Gravity.",
                       {{"dimensions", "dimensions", "-", "optional", "checked: [0 1 -2 0 0 0 0]", ""},
-                       {"value", "vector of time", "m/s2", "required", "acceleration of gravity", ""}}});
+                       {"value", "vector of time", "m/s2", "required", "acceleration of gravity", ""},
+                       {"frameVelocity", "vector of time", "m/s", "at rest",
+                        "of a box that moves, in which the case is told: all places and velocities are seen from it, "
+                        "still water comes with the opposite velocity",
+                        ""}}});
     tables.push_back(
         {"constant/contact", "",
          "Contact of solids with walls and with each other. Without this file they pass through each other, "

@@ -14,12 +14,13 @@ namespace pfem {
 
 namespace {
 
-/// The text of a patch's motion, empty without.
-std::string motionText(const Dictionary& entry) {
+/// The text of a patch's motion, empty without. One that gives way to waves sees its own water: no other moves so.
+std::string motionText(const Dictionary& entry, const std::string& patch) {
     if (!entry.found("motion")) return "";
+    const Dictionary& motion = entry.subDict("motion");
     std::ostringstream text;
-    print(text, entry.subDict("motion"));
-    return text.str();
+    print(text, motion);
+    return text.str() + (motion.found("absorb") ? patch : "");
 }
 
 /// Two patches that do not move alike, at a node of each.
@@ -37,7 +38,7 @@ std::optional<Quarrel> quarrelOf(const Dictionary& dict, const BoundaryCondition
     std::vector<std::string> motion(mesh.patches.size());
     for (std::size_t k = 0; k < mesh.patches.size(); ++k) {
         if (!conditions.type[k]->mayMove) continue;
-        motion[k] = motionText(dict.subDict(mesh.patches[k].name));
+        motion[k] = motionText(dict.subDict(mesh.patches[k].name), mesh.patches[k].name);
         for (const auto& face : mesh.patches[k].faces)
             for (const int node : face) {
                 const int owner = ownerOf(node);

@@ -34,13 +34,14 @@ Obstacle inFrontOf(const Topology<Dim>& topology, const Points<Dim>& points, con
 
 template <int Dim>
 void checkLevels(const Dictionary& dict, const Problem<Dim>& problem, const State<Dim>& state) {
-    const double g = problem.gravity.norm();
+    const Vec<Dim> gravity = problem.gravityOutside();
+    const double g = gravity.norm();
     for (std::size_t k = 0; k < problem.conditions.outlet.size(); ++k) {
         const auto& outlet = problem.conditions.outlet[k];
         if (!outlet || !outlet->level || g == 0) continue;
         double low = 1e300;  // of the patch, against gravity
         for (const auto& face : state.mesh.patches[k].faces)
-            for (const int node : face) low = std::min(low, -problem.gravity.dot(state.nodes.x[node]) / g);
+            for (const int node : face) low = std::min(low, -gravity.dot(state.nodes.x[node]) / g);
         const double level = outlet->level->value(state.time.value);
         if (!outlet->level->isConstant() || level > low) continue;
         const auto& name = state.mesh.patches[k].name;

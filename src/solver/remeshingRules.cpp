@@ -212,7 +212,8 @@ bool solidsMeet(const RemeshingContext<Dim>& c, const State<Dim>& state) {
 /// A gravity that turns could bring drops back.
 template <int Dim>
 bool dropsMayGo(const RemeshingContext<Dim>& c, const State<Dim>&) {
-    return c.controls.letGo && (!c.problem.gravityOverTime || c.problem.gravityOverTime->isConstant());
+    const auto stays = [](const auto& function) { return !function || function->isConstant(); };
+    return c.controls.letGo && stays(c.problem.gravityOverTime) && stays(c.problem.frameOverTime);
 }
 
 }  // namespace

@@ -33,6 +33,26 @@ std::vector<Sine> regularMotion(double height, double period, bool secondOrder, 
     return motion;
 }
 
+std::vector<Sine> surfaceAtPiston(const std::vector<Sine>& motion, const Flume& flume) {
+    std::vector<Sine> surface = motion;
+    for (auto& sine : surface) {
+        const double q = waveNumber(sine.omega, flume.depth, flume.gravity) * flume.depth;
+        const double away = makerGain(Maker::piston, q), near = nearFieldGain(q);
+        sine.amplitude *= std::hypot(away, near);
+        sine.phase += std::atan2(away, near);  // sin + pi/2 is the velocity's phase
+    }
+    return surface;
+}
+
+std::vector<Sine> regularSurface(double height, double period, bool secondOrder, const Flume& flume) {
+    auto surface = surfaceAtPiston(regularMotion(height, period, false, flume), flume);
+    if (!secondOrder) return surface;
+    const double omega = 2 * M_PI / period, k = waveNumber(omega, flume.depth, flume.gravity), q = k * flume.depth;
+    const double bound = k * height * height / 16 * std::cosh(q) * (2 + std::cosh(2 * q)) / std::pow(std::sinh(q), 3);
+    surface.push_back({bound, 2 * omega, M_PI / 2});  // its crests are those of the waves, H/2 cos wt
+    return surface;
+}
+
 SolitaryMotion::SolitaryMotion(double height, const Flume& flume)
     : a_(height),
       d_(flume.depth),
@@ -56,6 +76,12 @@ double SolitaryMotion::phaseAt(double t) const {
 double SolitaryMotion::value(double t) const {
     if (t <= 0) return 0;
     return a_ / (K_ * d_) * (std::tanh(phaseAt(t)) + 0.998);
+}
+
+double SolitaryMotion::surface(double t) const {
+    if (t <= 0) return 0;
+    const double sech = 1 / std::cosh(phaseAt(t));
+    return a_ * sech * sech;
 }
 
 double sumAt(const std::vector<Sine>& sines, double t) {

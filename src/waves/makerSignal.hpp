@@ -19,6 +19,13 @@ std::vector<Sine> motionFor(const std::vector<Sine>& surface, const Flume& flume
 /// 2 omega that keeps free second harmonics away (secondOrderPiston.hpp).
 std::vector<Sine> regularMotion(double height, double period, bool secondOrder, const Flume& flume);
 
+/// The surface at a piston that moves so, in small waves: what goes away and what stays there (nearFieldGain).
+std::vector<Sine> surfaceAtPiston(const std::vector<Sine>& motion, const Flume& flume);
+
+/// The same of regularMotion; `secondOrder`: with what is bound to the waves at 2 omega (Stokes),
+///     (k H^2/16) cosh q (2 + cosh 2q)/sinh^3 q,   q = k d.
+std::vector<Sine> regularSurface(double height, double period, bool secondOrder, const Flume& flume);
+
 /// Solitary wave of height a (Goring's piston with Rayleigh's profile): the plate goes with the water,
 ///     X' = c eta/(d + eta),   eta = a sech^2(K (c (t - t0) - X)),   c^2 = g (d + a),   K^2 = 3 a/(4 d^2 (d + a)),
 /// that is X = a/(K d) tanh(K (c (t - t0) - X)). It begins at rest at t = 0 and 0.1 % of its stroke.
@@ -26,6 +33,8 @@ class SolitaryMotion {
 public:
     SolitaryMotion(double height, const Flume& flume);
     double value(double t) const;
+    /// eta at the plate [m].
+    double surface(double t) const;
 
 private:
     double phaseAt(double t) const;

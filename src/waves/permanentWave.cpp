@@ -25,7 +25,7 @@ double ursell(const PermanentWave& wave, const RegularWave& of) {
     return of.height * length * length / (of.depth * of.depth * of.depth);
 }
 
-double PermanentMotion::value(double t) const {
+double PermanentMotion::phaseAt(double t) const {
     const double wanted = wave_.k * wave_.c * t;
     double theta = wanted, low = wanted - M_PI, high = wanted + M_PI;  // |I| < pi d: the water has a depth everywhere
     for (int n = 0; n < 100; ++n) {                                    // theta + I/d grows
@@ -36,7 +36,9 @@ double PermanentMotion::value(double t) const {
         if (std::abs(next - theta) < 1e-14 * (1 + std::abs(theta))) break;
         theta = next;
     }
-    return wave_.integral(theta) / (wave_.k * depth_);
+    return theta;
 }
+
+double PermanentMotion::value(double t) const { return wave_.integral(phaseAt(t)) / (wave_.k * depth_); }
 
 }  // namespace pfem

@@ -39,8 +39,12 @@ class PermanentMotion {
 public:
     PermanentMotion(PermanentWave wave, double depth) : wave_(std::move(wave)), depth_(depth) {}
     double value(double t) const;
+    /// eta at the plate [m].
+    double surface(double t) const { return wave_.surface(phaseAt(t)); }
 
 private:
+    double phaseAt(double t) const;
+
     PermanentWave wave_;
     double depth_;
 };

@@ -15,14 +15,14 @@ namespace {
 constexpr double g = 9.81;
 
 /// A flume of length L and depth d with a piston at its left end; `signal`: of the piston, `end`: type and entries of
-/// the right end, and what else there is.
-TestCase flume(double L, double d, double h, const std::string& signal, const std::string& end) {
+/// the right end, and what else there is; `moves`: so does the right end.
+TestCase flume(double L, double d, double h, const std::string& signal, const std::string& end, bool moves = false) {
     TestCase c = makeCase(
         "meshSize " + std::to_string(h) + "; bodies ( water { type fluid; material water; " + rectangle(0, 0, L, d) +
             numbers(
-                " } ); walls ( piston { moving true; points ((0 %) (0 0)); } bed { points ((-0.5 0) (% 0)); } end { "
-                "points ((% 0) (% %)); } );",
-                {2 * d, L, L, L, 2 * d}),
+                " } ); walls ( piston { moving true; points ((0 %) (0 0)); } bed { points ((-0.5 0) (% 0)); } end { ",
+                {2 * d, moves ? L + 0.5 : L}) +
+            (moves ? "moving true; " : "") + numbers("points ((% 0) (% %)); } );", {L, L, 2 * d}),
         water,
         "bed { type slip; } piston { type slip; motion { displacement { type waveMaker; depth " + std::to_string(d) +
             "; " + signal + " } } } end { " + end,
@@ -32,34 +32,47 @@ TestCase flume(double L, double d, double h, const std::string& signal, const st
     return c;
 }
 
+enum class End { outlet, sponge, piston };
+
 /// Part of the waves of k d that comes back from an end of this kind; h in parts of the depth.
-double reflection(double kd, bool sponge, double size) {
+double reflection(double kd, End end, double size) {
     const double d = 0.4, k = kd / d, length = 2 * M_PI / k, omega = std::sqrt(g * k * std::tanh(kd)),
                  T = 2 * M_PI / omega, height = std::min(0.02 * length, 0.08 * d);
     const double near = std::min(2 * d, 0.6 * length);  // where the water is disturbed by what moves it
     const std::vector<double> x{near + 0.3 * length, near + 0.43 * length, near + 0.67 * length};
-    const double zone = sponge ? 1.5 * length : 0, L = x[2] + 0.4 * length + near + zone;
+    const double zone = end == End::sponge ? 1.5 * length : 0, L = x[2] + 0.4 * length + near + zone;
     const double group = 0.5 * omega / k * (1 + 2 * kd / std::sinh(2 * kd));
+    const std::string ends[] = {
+        numbers("type outlet; level %; waveSpeed %; }", {d, omega / k}),
+        numbers("type slip; } sponge { type damping; from (% 0 0); to (% 0 0); rate %; }", {L - zone, L, omega}),
+        numbers("type slip; motion { absorb { depth %; period %; } } }", {d, T})};
     TestCase c = flume(L, d, size * d, numbers("height %; period %; ramp %;", {height, T, 2 * T}),
-                       sponge ? numbers("type slip; } sponge { type damping; from (% 0 0); to (% 0 0); rate %; }",
-                                        {L - zone, L, omega})
-                              : numbers("type outlet; level %; waveSpeed %; }", {d, omega / k}));
+                       ends[static_cast<int>(end)], end == End::piston);
     c.start(T / 60);
     const double time = std::max(3 * T, (2 * L - 0.3 * zone - x[0]) / group + 3 * T);
     while (c.state.time.value < time) c.step(T / 60);
     const auto waves = separateWaves(x, harmonics(c, x, d, T, 3)[0], k);
     EXPECT_NEAR(2 * std::abs(waves->incident), height, 0.06 * height);
-    return std::abs(waves->reflected) / std::abs(waves->incident);
+    const double part = std::abs(waves->reflected) / std::abs(waves->incident);
+    std::cout << "kd " << kd << " end " << static_cast<int>(end) << " h/d " << size << " part " << part << "\n";
+    return part;
 }
 
 // Waves shorter than some 25 mesh sizes feel the mesh at their end: 9 % of those of 17 h come back.
-TEST(Waves, longOnesGoOutOverAnOutlet) { EXPECT_LT(reflection(0.5, false, 0.125), 0.05); }
-TEST(Waves, goOutOverAnOutlet) { EXPECT_LT(reflection(1, false, 0.125), 0.05); }
-TEST(Waves, shortOnesGoOutOverAnOutlet) { EXPECT_LT(reflection(3, false, 0.0625), 0.05); }
+TEST(Waves, longOnesGoOutOverAnOutlet) { EXPECT_LT(reflection(0.5, End::outlet, 0.125), 0.05); }
+TEST(Waves, goOutOverAnOutlet) { EXPECT_LT(reflection(1, End::outlet, 0.125), 0.05); }
+TEST(Waves, shortOnesGoOutOverAnOutlet) { EXPECT_LT(reflection(3, End::outlet, 0.0625), 0.05); }
 
-TEST(Waves, longOnesDieInASponge) { EXPECT_LT(reflection(0.5, true, 0.125), 0.05); }
-TEST(Waves, dieInASponge) { EXPECT_LT(reflection(1, true, 0.125), 0.05); }
-TEST(Waves, shortOnesDieInASponge) { EXPECT_LT(reflection(3, true, 0.125), 0.05); }
+TEST(Waves, longOnesDieInASponge) { EXPECT_LT(reflection(0.5, End::sponge, 0.125), 0.05); }
+TEST(Waves, dieInASponge) { EXPECT_LT(reflection(1, End::sponge, 0.125), 0.05); }
+TEST(Waves, shortOnesDieInASponge) { EXPECT_LT(reflection(3, End::sponge, 0.125), 0.05); }
+
+TEST(Waves, aPistonGivesWayToLongOnes) { EXPECT_LT(reflection(0.5, End::piston, 0.125), 0.05); }
+TEST(Waves, aPistonGivesWay) { EXPECT_LT(reflection(1, End::piston, 0.125), 0.05); }
+TEST(Waves, aPistonGivesWayToShortOnes) {
+    EXPECT_LT(reflection(3, End::piston, 0.125), 0.05);  // without the lag, of the water that stays before it: 0.17
+    EXPECT_LT(reflection(3, End::piston, 0.0625), 0.05);
+}
 
 // Rayleigh's piston, a = 0.3 d. Speed of a solitary wave: Fenton (1972), c^2 = g d (1 + e - e^2/20 - 3 e^3/70).
 TEST(Waves, aSolitaryWaveKeepsItsHeightAndSpeed) {

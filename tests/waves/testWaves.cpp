@@ -26,6 +26,27 @@ TEST(Waves, gainsOfWaveMakers) {
     EXPECT_NEAR(makerGain(Maker::piston, 1), 2 * (std::cosh(2) - 1) / (std::sinh(2) + 2), 1e-15);
 }
 
+// Sums of 2000 terms. With all of them the water that a piston pushes is in the waves: c/q + sum_j c_j/q_j = 1 to 1e-11.
+TEST(Waves, nearFieldOfAPiston) {
+    EXPECT_NEAR(nearFieldGain(0.01), 7.7534e-10, 1e-13);
+    EXPECT_NEAR(nearFieldGain(1), 0.057397, 1e-6);
+    EXPECT_NEAR(nearFieldGain(3), 0.870238, 1e-5);
+}
+
+// A quarter of a period after the piston in long waves, nearer in short ones.
+TEST(Waves, surfaceAtAPiston) {
+    const Flume flume{0.4};
+    const double q = 3, omega = std::sqrt(9.81 * q / 0.4 * std::tanh(q));
+    const auto surface = surfaceAtPiston({{0.01, omega, 0}}, flume);
+    for (const double t : {0.0, 0.1, 0.3})
+        EXPECT_NEAR(sumAt(surface, t),
+                    0.01 * (makerGain(Maker::piston, q) * std::cos(omega * t) + 0.870238 * std::sin(omega * t)), 1e-7);
+    const auto regular = regularSurface(0.04, 1.2, false, flume), bound = regularSurface(0.04, 1.2, true, flume);
+    EXPECT_NEAR(sumAt(regular, 0), 0.02, 1e-12);  // a crest; at half the period a trough, which is flatter
+    EXPECT_GT(sumAt(bound, 0), 0.02);
+    EXPECT_NEAR(sumAt(bound, 0) + sumAt(bound, 0.6), 2 * bound[1].amplitude, 1e-12);
+}
+
 TEST(Waves, surfaceIsAQuarterOfAPeriodBehindTheMotion) {
     const Flume flume{0.4};
     const auto piston = regularMotion(0.02, 1.2, false, flume);
