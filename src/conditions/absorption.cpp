@@ -38,17 +38,18 @@ Absorption readAbsorption(const Dictionary& motion, bool plane) {
     const Dictionary& absorb = motion.subDict("absorb");
     for (const char* key : {"velocity", "angle", "omega"})
         if (motion.found(key))
-            motion.fatal(key, "A wall that gives way to waves is a piston: beside 'absorb' it takes a 'displacement' "
-                              "with 'type waveMaker', or none");
+            motion.fatal(key,
+                         "A wall that gives way to waves is a piston: beside 'absorb' it takes a 'displacement' "
+                         "with 'type waveMaker', or none");
     const Dictionary* maker = isWaveMaker(motion) ? &motion.subDict("displacement") : nullptr;
     if (motion.found("displacement") && !maker)
-        motion.fatal("displacement", "A wall that gives way to waves must know those that it makes itself: beside "
-                                     "'absorb' a displacement is one with 'type waveMaker'");
+        motion.fatal("displacement",
+                     "A wall that gives way to waves must know those that it makes itself: beside "
+                     "'absorb' a displacement is one with 'type waveMaker'");
     Absorption wall;
     wall.depth = positive(absorb, maker, "depth");
-    const double gravity = absorb.found("gravity") || (maker && maker->found("gravity"))
-                               ? positive(absorb, maker, "gravity")
-                               : 9.81;
+    const double gravity =
+        absorb.found("gravity") || (maker && maker->found("gravity")) ? positive(absorb, maker, "gravity") : 9.81;
     const double omega = 2 * M_PI / positive(absorb, maker, "period"),
                  q = waveNumber(omega, wall.depth, gravity) * wall.depth;
     wall.rate = omega / makerGain(Maker::piston, q);

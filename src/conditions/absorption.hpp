@@ -32,8 +32,8 @@ struct Absorption {
     double ahead(double dt) const { return 0.5 * dt + std::max(lag, dt) - lag; }
 };
 
-/// The entry `absorb` of a motion: depth, period (of the wave maker, if there is one), gravity, up. UserError: it turns,
-/// or its displacement is not that of a wave maker.
+/// The entry `absorb` of a motion: depth, period (of the wave maker, if there is one), gravity, up. UserError: it
+/// turns, or its displacement is not that of a wave maker.
 Absorption readAbsorption(const Dictionary& motion, bool plane);
 
 }  // namespace pfem

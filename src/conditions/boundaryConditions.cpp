@@ -64,6 +64,9 @@ BoundaryConditions<Dim> readBoundaryConditions(const Dictionary& dict, const std
                 entry.fatal("motion", "'" + patch.name + "' cannot be moved: only " +
                                           typeList([](const auto& t) { return t.mayMove; }, " and ") + " patches can");
             result.motion.back() = std::make_shared<WallMotion>(entry.subDict("motion"), Dim == 2);
+            if (result.motion.back()->absorption() && !isWall(type.kind))
+                entry.subDict("motion").fatal("absorb",
+                                              "'" + patch.name + "' is no wall: only walls give way to waves");
         }
         if (entry.found("friction") && !type.has("friction"))
             entry.fatal("friction", "'" + patch.name + "' is not of type " +

@@ -125,7 +125,7 @@ NodeConstraints<Dim> nodeConstraints(const Mesh<Dim>& mesh, const BoundaryCondit
     c.followed.assign(n, -1);
     for (const auto& motion : conditions.motion)
         c.motion.push_back(motion ? motion->template step<Dim>(t0, t1) : RigidStep<Dim>());
-    giveWay<Dim>(mesh, conditions, topology, nodes, t0, t1, c.motion);
+    giveWay<Dim>(conditions, topology, nodes, t0, t1, c.motion);
     const auto drivenBy = addDriven<Dim>(conditions, topology, nodes, t0, t1, c.motion);
     const auto moverOf = [&](int patch) { return conditions.motion[patch] ? patch : -1; };
 

@@ -11,7 +11,7 @@ namespace pfem {
 /// the width (2D: 1) being that of the wet part. Its way and velocity so far are those of its nodes less what is
 /// prescribed. `motion` of these patches gets what they answer.
 template <int Dim>
-void giveWay(const Mesh<Dim>& mesh, const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology,
-             const Nodes<Dim>& nodes, double t0, double t1, std::vector<RigidStep<Dim>>& motion);
+void giveWay(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology, const Nodes<Dim>& nodes,
+             double t0, double t1, std::vector<RigidStep<Dim>>& motion);
 
 }  // namespace pfem

@@ -1,7 +1,7 @@
 #pragma once
 // Physics and boundary conditions; gravity and tractions may depend on time. A case may be told in a frame that moves:
-// whatever is in it has the acceleration of the frame, turned round, beside gravity. Still water outside has not, for it
-// goes past with the velocity of the frame, turned round.
+// whatever is in it has the acceleration of the frame, turned round, beside gravity. Still water outside has not, for
+// it goes past with the velocity of the frame, turned round.
 
 #include "conditions/constraints.hpp"
 #include "conditions/contact.hpp"

@@ -16,14 +16,14 @@ using Signal = std::function<double(double)>;
 
 /// What a wave maker does over time, and the surface that it has then at its place [m].
 struct Signals {
-    Signal motion;  // displacement at the still level [m]; of an inlet what comes in [m2/s]
+    Signal motion;             // displacement at the still level [m]; of an inlet what comes in [m2/s]
     Signal surface = nullptr;  // of pistons
 };
 
 struct Motion {
-    Signals signals;            // from its start on
-    double ramp = 0, start = 0; // [s]
-    double flapDepth = 0;       // of a flap: its motion is an angle; 0: a piston
+    Signals signals;             // from its start on
+    double ramp = 0, start = 0;  // [s]
+    double flapDepth = 0;        // of a flap: its motion is an angle; 0: a piston
 
     double value(double t) const {
         const double x = grown(signals.motion, t);

@@ -38,9 +38,10 @@ void addOutletPressure(const Problem<Dim>& problem, const Cells<Dim>& fluid, con
         const double rho = problem.fluid(fluid.material[face.cell]).rho;
         for (int J = 0; J < Dim; ++J)
             for (const int i : face.nodes)  // int_f N_I N_J dS = |f| (1 + delta_IJ)/(Dim (Dim + 1))
-                force[face.nodes[J]] -= (i == face.nodes[J] ? 2.0 : 1.0) / (Dim * (Dim + 1)) *
-                                        outsidePressure<Dim>(problem, *outlet, rho, nodes.x[i], n.dot(nodes.v[i] + problem.frameVelocity)) *
-                                        area;
+                force[face.nodes[J]] -=
+                    (i == face.nodes[J] ? 2.0 : 1.0) / (Dim * (Dim + 1)) *
+                    outsidePressure<Dim>(problem, *outlet, rho, nodes.x[i], n.dot(nodes.v[i] + problem.frameVelocity)) *
+                    area;
     }
 }
 

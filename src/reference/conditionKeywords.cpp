@@ -51,7 +51,8 @@ std::vector<KeywordTable> conditionKeywords() {
            "a piston that gives way to waves that come to it; a displacement beside is one with type waveMaker", ""}}},
         {conditions,
          "motion: absorb",
-         "How a wall gives way to waves: as a piston that makes none but its own, by the height of the water before it. "
+         "How a wall gives way to waves: as a piston that makes none but its own, by the height of the water before "
+         "it. "
          "For waves of the period; of longer ones little comes back.",
          {{"depth", "scalar", "m", "that of the wave maker", "of the still water at the wall", "> 0"},
           {"period", "scalar", "s", "that of the wave maker", "of the waves that come; of a sea that of its peak",

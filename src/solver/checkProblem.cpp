@@ -172,7 +172,7 @@ std::vector<std::string> doubts(const Dictionary& materials, const Dictionary& g
         driven = driven || entry.find(".motion") != std::string::npos;
     if (!driven)
         doubt(gravity, "value", "nothing will move: gravity and all velocities are zero, and there is no load");
-    for (const auto& text : doubtsAboutWaves<Dim>(conditions, state)) found.push_back(text);
+    for (const auto& text : doubtsAboutWaves<Dim>(conditions, problem, state)) found.push_back(text);
     double heaviest = 0;
     for (const auto& material : problem.materials)
         heaviest = std::max(heaviest, material.kind == MaterialKind::fluid ? material.fluid.rho : material.solid.rho);

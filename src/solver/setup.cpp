@@ -64,8 +64,8 @@ Problem<Dim> readProblem(const Case& theCase, const State<Dim>& state, std::ostr
     const Dictionary g = Dictionary::read(theCase.constant("g"));
     problem.gravityOverTime = readGravity<Dim>(g);
     if (g.found("frameVelocity"))
-        problem.frameOverTime = Dim == 2 ? readPlaneFunction1(g, "frameVelocity")
-                                         : readFunction1<Eigen::Vector3d>(g, "frameVelocity");
+        problem.frameOverTime =
+            Dim == 2 ? readPlaneFunction1(g, "frameVelocity") : readFunction1<Eigen::Vector3d>(g, "frameVelocity");
     problem = problemAt<Dim>(state.time.value, problem);
     const Dictionary conditions = Dictionary::read(theCase.constant("boundaryConditions"));
     problem.conditions = readBoundaryConditions<Dim>(conditions, mesh.patches);

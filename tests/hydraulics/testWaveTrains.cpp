@@ -74,7 +74,9 @@ void standsStill(const Maker& make, double kd, int periods) {
 
 // A hundred periods: set PFEM_LONG_TESTS.
 TEST(WaveTrains, aLevelThatSwingsLetsLongWavesOut) { standsStill(swingingLevel, 0.5, 16); }
-TEST(WaveTrains, aLevelThatSwingsLetsWavesOut) { standsStill(swingingLevel, 1, std::getenv("PFEM_LONG_TESTS") ? 108 : 20); }
+TEST(WaveTrains, aLevelThatSwingsLetsWavesOut) {
+    standsStill(swingingLevel, 1, std::getenv("PFEM_LONG_TESTS") ? 108 : 20);
+}
 TEST(WaveTrains, aPistonThatGivesWay) { standsStill(piston, 1, std::getenv("PFEM_LONG_TESTS") ? 108 : 20); }
 
 }  // namespace

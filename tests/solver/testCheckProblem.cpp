@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "../functions/caseFolder.hpp"
+#include "solver/checkMotions.hpp"
 #include "solver/checkOpenings.hpp"
 #include "solver/checkProblem.hpp"
 #include "solver/setup.hpp"
@@ -127,6 +128,32 @@ TEST(CheckProblem, wavesAreLongBesideTheMesh) {
     EXPECT_TRUE(doubtsOfPeriod("0.8").empty());
     ASSERT_EQ(doubtsOfPeriod("0.7").size(), 1U);
     EXPECT_NE(doubtsOfPeriod("0.7")[0].find("boundaryConditions:2: these waves are 0.76"), std::string::npos);
+}
+
+// A piston that gives way sees the depth that the water has; two of them are not one.
+TEST(CheckProblem, pistonsThatGiveWayKnowTheirDepth) {
+    const auto piston = [](const std::string& depth) {
+        return "{ type slip; motion {\n absorb { depth " + depth + "; period 2; } } }";
+    };
+    const auto make = [](const std::string& walls, const std::string& conditions) {
+        return makeCase("meshSize 0.1; bodies ( pool { type fluid; material water; " + rectangle(0, 0, 1, 0.5) +
+                            " } ); walls ( " + walls + " );",
+                        water, conditions);
+    };
+    const auto doubtsOfDepth = [&](const std::string& depth) {
+        const std::string conditions = "piston " + piston(depth);
+        const TestCase c = make("piston { points ((0 1) (0 0)); }", conditions);
+        return doubts<2>(Dictionary::parse(water, "materials"), Dictionary::parse("value (0 -9.81 0);", "g"),
+                         Dictionary::parse(conditions, "boundaryConditions"), c.problem, c.state);
+    };
+    EXPECT_TRUE(doubtsOfDepth("0.5").empty());
+    ASSERT_EQ(doubtsOfDepth("0.4").size(), 1U);
+    EXPECT_NE(doubtsOfDepth("0.4")[0].find("boundaryConditions:2: the water before 'piston' is 0.5 m deep, not 0.4 m"),
+              std::string::npos);
+    const std::string two = "upper " + piston("0.5") + " lower " + piston("0.5");
+    const TestCase c = make("upper { points ((0 1) (0 0.2)); } lower { points ((0 0.2) (0 0)); }", two);
+    EXPECT_THROW(checkMotions<2>(Dictionary::parse(two, "boundaryConditions"), c.problem.conditions, c.state),
+                 UserError);
 }
 
 // A node has one mean: solids of laws in rates and hyperelastic ones may touch with elemental integration only.

@@ -48,14 +48,16 @@ TestCase3 space() {
 /// Velocity that the patch gets in the next step.
 template <int Dim, class Case>
 Vec<Dim> velocityOf(const Case& c, int patch) {
-    const auto constraints = nodeConstraints<Dim>(c.state.mesh, c.problem.conditions, c.topology(), c.state.nodes, 0, dt);
+    const auto constraints =
+        nodeConstraints<Dim>(c.state.mesh, c.problem.conditions, c.topology(), c.state.nodes, 0, dt);
     return constraints.motion[patch].velocity;
 }
 
 // Water at rest that is 5 cm too high, and then rises: the wall goes back by the law, in space as in the plane, however
 // wide it is.
 TEST(GivingWay, theWallSeesTheWaterBeforeIt) {
-    const Absorption wall = *WallMotion(Dictionary::parse("absorb { depth 0.35; period 1.2; }", "m"), true).absorption();
+    const Absorption wall =
+        *WallMotion(Dictionary::parse("absorb { depth 0.35; period 1.2; }", "m"), true).absorption();
     TestCase p = plane();
     TestCase3 s = space();
     const double still = wall.answer(0, 0, 0.05, 0, dt);
@@ -86,6 +88,13 @@ TEST(GivingWay, waterThatIsTooDeepFindsItsLevel) {
     EXPECT_NEAR(top, 0.4 / (1 - left), 2e-3);
     EXPECT_LT(top, 0.365);  // the return holds it off a little
     EXPECT_GT(top, depth);
+}
+
+TEST(GivingWay, onlyWallsDo) {
+    EXPECT_THROW(makeCase("meshSize 0.25; bodies ( bar { type solid; material rubber; " + rectangle(0, 0, 1, 0.25) +
+                              " patches { left { edges ((3 0)); } } } );",
+                          rubber, "left { type clamped; motion { absorb { depth 1; period 1; } } }"),
+                 UserError);
 }
 
 TEST(GivingWay, aRestartIsTheRunItself) {

@@ -150,7 +150,8 @@ Deviation deviation(const TestCase& c, double g) {
     for (int i = 0; i < c.state.nodes.size(); ++i) {
         if (!topology.wet(i)) continue;
         most.velocity = std::max(most.velocity, (c.state.nodes.v[i] - Vec<2>(2 * c.state.time.value, 0)).norm());
-        most.pressure = std::max(most.pressure, std::abs(c.state.nodes.p[i] - 1000 * g * (0.4 - c.state.nodes.x[i][1])));
+        most.pressure =
+            std::max(most.pressure, std::abs(c.state.nodes.p[i] - 1000 * g * (0.4 - c.state.nodes.x[i][1])));
     }
     return most;
 }

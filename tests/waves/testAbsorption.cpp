@@ -14,9 +14,7 @@ namespace {
 using Complex = std::complex<double>;
 constexpr Complex i(0, 1);
 
-Absorption wallOf(const std::string& text) {
-    return *WallMotion(Dictionary::parse(text, "motion"), true).absorption();
-}
+Absorption wallOf(const std::string& text) { return *WallMotion(Dictionary::parse(text, "motion"), true).absorption(); }
 
 /// Largest difference of the answer to a wave of amplitude 1 and of what throws nothing back, over 1 period of `steps`.
 double errorOf(double kd, int steps) {

@@ -26,7 +26,8 @@ TEST(Waves, gainsOfWaveMakers) {
     EXPECT_NEAR(makerGain(Maker::piston, 1), 2 * (std::cosh(2) - 1) / (std::sinh(2) + 2), 1e-15);
 }
 
-// Sums of 2000 terms. With all of them the water that a piston pushes is in the waves: c/q + sum_j c_j/q_j = 1 to 1e-11.
+// Sums of 2000 terms. With all of them the water that a piston pushes is in the waves: c/q + sum_j c_j/q_j = 1 to
+// 1e-11.
 TEST(Waves, nearFieldOfAPiston) {
     EXPECT_NEAR(nearFieldGain(0.01), 7.7534e-10, 1e-13);
     EXPECT_NEAR(nearFieldGain(1), 0.057397, 1e-6);
