@@ -28,8 +28,7 @@ double positive(const Dictionary& absorb, const Dictionary* maker, const std::st
 
 }  // namespace
 
-double Absorption::answer(double U, double way, double eta, double t, double dt) const {
-    const double time = ahead(dt), excess = eta - (wanted ? wanted(t + time) : 0);
+double Absorption::answer(double U, double way, double excess, double dt) const {
     const double along = std::max(lag, dt);
     return ((along - 0.5 * dt) * U - dt * (rate * excess + returning * (way + 0.5 * dt * U))) / (along + 0.5 * dt);
 }
@@ -55,7 +54,10 @@ Absorption readAbsorption(const Dictionary& motion, bool plane) {
     wall.rate = omega / makerGain(Maker::piston, q);
     wall.returning = 0.05 * omega;  // slow beside the waves; the lag makes up for it at omega
     wall.lag = nearFieldGain(q) / (makerGain(Maker::piston, q) * omega) + wall.returning / (omega * omega);
-    if (maker) wall.wanted = readMakerSurface(*maker);
+    if (maker) {
+        wall.wanted = readMakerSurface(*maker);
+        wall.scale = maker->get("scale", Eigen::Vector3d(Eigen::Vector3d::UnitX()));
+    }
     wall.up = absorb.get("up", Eigen::Vector3d(plane ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ()));
     if (plane) demandPlane(absorb, "up", wall.up[2]);
     if (!(wall.up.norm() > 0)) absorb.fatal("up", "The direction has no length");

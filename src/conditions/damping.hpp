@@ -18,7 +18,7 @@ struct DampingZone {
     Vec<Dim> from = Vec<Dim>::Zero(), to = Vec<Dim>::Zero();  // [m]
     double rate = 0;                                          // [1/s]
     double exponent = 2;
-    Vec<Dim> velocity = Vec<Dim>::Zero();  // to which the water is brought [m/s]
+    Vec<Dim> velocity = Vec<Dim>::Zero();  // to which the water is brought, in the world [m/s]
 
     double at(const Vec<Dim>& x) const {
         const double s = (to - from).dot(x - from) / (to - from).squaredNorm();

@@ -1,7 +1,8 @@
 #include "conditions/givingWay.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 #include "mesh/simplex.hpp"
 #include "state/images.hpp"
@@ -19,7 +20,7 @@ std::vector<Face<Dim>> facesOf(const Topology<Dim>& topology, int patch) {
     return faces;
 }
 
-/// Faces of the fluid on a patch, between periodic sides.
+/// Faces of the fluid on a patch; of periodic ones each once.
 template <int Dim>
 std::vector<Face<Dim>> wetPart(const Topology<Dim>& topology, const std::vector<Id>& id, int patch) {
     std::vector<Face<Dim>> wet;
@@ -29,50 +30,50 @@ std::vector<Face<Dim>> wetPart(const Topology<Dim>& topology, const std::vector<
     return wet;
 }
 
-/// From the wall into the water, level.
+/// Height of the surface over the lowest node after a time [m]; nothing where it is dry.
 template <int Dim>
-Vec<Dim> inward(const std::vector<Face<Dim>>& faces, const Points<Dim>& x, const Vec<Dim>& up) {
-    Vec<Dim> sum = Vec<Dim>::Zero();
-    for (const auto& face : faces) sum -= faceArea<Dim>(x, face);
-    return (sum - up * up.dot(sum)).normalized();
-}
-
-/// Extent of the faces across `inward` and `up`; 2D: 1.
-template <int Dim>
-double widthOf(const std::vector<Face<Dim>>& faces, const Points<Dim>& x, const Vec<Dim>& inward, const Vec<Dim>& up) {
-    if constexpr (Dim == 2) {
-        return 1;
-    } else {
-        const Vec<3> across = up.cross(inward);
-        double low = std::numeric_limits<double>::max(), high = -low;
-        for (const auto& face : faces)
-            for (const int node : face) {
-                low = std::min(low, across.dot(x[node]));
-                high = std::max(high, across.dot(x[node]));
-            }
-        return high - low;
-    }
-}
-
-/// Height of the surface over the still level after a time [m]; dry: 0, the wall stays.
-template <int Dim>
-double surfaceAt(const std::vector<Face<Dim>>& wet, const Nodes<Dim>& nodes, const Vec<Dim>& inward, const Vec<Dim>& up,
-                 double depth, double after) {
-    if (wet.empty()) return 0;
-    double area = 0;
+std::optional<double> heightAfter(double after, const std::vector<Face<Dim>>& wet, const Nodes<Dim>& nodes,
+                                  const Vec<Dim>& up) {
+    double low = std::numeric_limits<double>::max(), area = 0, moment = 0;
     for (const auto& face : wet) {
         Points<Dim> later;
         Face<Dim> all{};
+        double z = 0;
         for (int k = 0; k < Dim; ++k) {
             all[k] = k;
             later.push_back(nodes.x[face[k]] + after * nodes.v[face[k]]);
+            low = std::min(low, up.dot(later.back()));
+            z += up.dot(later.back()) / Dim;
         }
-        area -= inward.dot(faceArea<Dim>(later, all));
+        const double a = faceArea<Dim>(later, all).norm();
+        area += a;
+        moment += a * z;
     }
-    return area / widthOf<Dim>(wet, nodes.x, inward, up) - depth;
+    if (!(area > 0)) return std::nullopt;
+    return 2 * (moment / area - low);
+}
+
+/// (x, y, z), in the plane (x, y, 0).
+template <int Dim>
+Eigen::Vector3d inSpace(const Vec<Dim>& x) {
+    Eigen::Vector3d result = Eigen::Vector3d::Zero();
+    result.head<Dim>() = x;
+    return result;
 }
 
 }  // namespace
+
+template <int Dim>
+Vec<Dim> levelNormal(const std::vector<Face<Dim>>& faces, const Points<Dim>& x, const Vec<Dim>& up) {
+    Vec<Dim> sum = Vec<Dim>::Zero();  // of a wall's face the area points away from the fluid
+    double all = 0;
+    for (const auto& face : faces) {
+        sum -= faceArea<Dim>(x, face);
+        all += faceArea<Dim>(x, face).norm();
+    }
+    sum -= up * up.dot(sum);
+    return sum.norm() > 0.5 * all ? Vec<Dim>(sum.normalized()) : Vec<Dim>(Vec<Dim>::Zero());
+}
 
 template <int Dim>
 void giveWay(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& topology, const Nodes<Dim>& nodes,
@@ -82,21 +83,25 @@ void giveWay(const BoundaryConditions<Dim>& conditions, const Topology<Dim>& top
         const WallMotion& prescribed = *conditions.motion[k];
         const Absorption& wall = *prescribed.absorption();
         const auto faces = facesOf<Dim>(topology, k);
-        const Vec<Dim> up = wall.up.template head<Dim>().normalized(), into = inward<Dim>(faces, nodes.x, up);
+        const Vec<Dim> up = wall.up.template head<Dim>(), into = levelNormal<Dim>(faces, nodes.x, up);
         const int first = faces.front()[0];  // all move alike
-        const double way = into.dot(nodes.x[first] - nodes.X[first] - prescribed.way(t0).template head<Dim>()),
-                     U = into.dot(nodes.v[first] - prescribed.velocity(t0).template head<Dim>()), dt = t1 - t0,
-                     eta = surfaceAt<Dim>(wetPart<Dim>(topology, nodes.id, k), nodes, into, up, wall.depth,
-                                          wall.ahead(dt));
-        const double next = wall.answer(U, way, eta, t0, dt);
+        const double dt = t1 - t0, ahead = wall.ahead(dt),
+                     way = into.dot(nodes.x[first] - nodes.X[first] - prescribed.way(t0).template head<Dim>());
+        double U = into.dot(nodes.v[first] - prescribed.velocity(t0).template head<Dim>());
+        if (!(t0 > 0)) U = 0;  // what is prescribed may begin at once, from nodes at rest
+        const auto height = heightAfter<Dim>(ahead, wetPart<Dim>(topology, nodes.id, k), nodes, up);
+        const double excess = height ? *height - wall.depth - wall.own(t0 + ahead, inSpace<Dim>(into)) : 0;
+        const double next = wall.answer(U, way, excess, dt);
         motion[k].to += 0.5 * dt * (U + next) * into;
         motion[k].velocity += next * into;
     }
 }
 
-template void giveWay<2>(const BoundaryConditions<2>&, const Topology<2>&, const Nodes<2>&, double, double,
-                         std::vector<RigidStep<2>>&);
-template void giveWay<3>(const BoundaryConditions<3>&, const Topology<3>&, const Nodes<3>&, double, double,
-                         std::vector<RigidStep<3>>&);
+#define PFEM_INSTANTIATE(D)                                                                                     \
+    template Vec<D> levelNormal<D>(const std::vector<Face<D>>&, const Points<D>&, const Vec<D>&);               \
+    template void giveWay<D>(const BoundaryConditions<D>&, const Topology<D>&, const Nodes<D>&, double, double, \
+                             std::vector<RigidStep<D>>&);
+PFEM_INSTANTIATE(2)
+PFEM_INSTANTIATE(3)
 
 }  // namespace pfem

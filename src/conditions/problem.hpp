@@ -29,20 +29,38 @@ struct Problem {
     const Solid& solid(int material) const { return materials[material].solid; }
 };
 
+/// The frame with this velocity and acceleration; gravity outside stays.
+template <int Dim>
+void moveFrame(const Vec<Dim>& velocity, const Vec<Dim>& acceleration, Problem<Dim>& problem) {
+    const Vec<Dim> outside = problem.gravityOutside();
+    problem.frameVelocity = velocity;
+    problem.frameAcceleration = acceleration;
+    problem.gravity = outside - acceleration;
+}
+
 /// The problem with gravity, frame and tractions of time t [s].
 template <int Dim>
 Problem<Dim> problemAt(double t, Problem<Dim> problem) {
     problem.time = t;
-    Vec<Dim> gravity = problem.gravityOutside();
-    if (problem.gravityOverTime) gravity = problem.gravityOverTime->value(t).template head<Dim>();
-    if (problem.frameOverTime) {
-        problem.frameVelocity = problem.frameOverTime->value(t).template head<Dim>();
-        problem.frameAcceleration = problem.frameOverTime->derivative(t).template head<Dim>();
-    }
-    problem.gravity = gravity - problem.frameAcceleration;
+    if (problem.gravityOverTime)
+        problem.gravity = problem.gravityOverTime->value(t).template head<Dim>() - problem.frameAcceleration;
+    if (problem.frameOverTime)
+        moveFrame<Dim>(problem.frameOverTime->value(t).template head<Dim>(),
+                       problem.frameOverTime->derivative(t).template head<Dim>(), problem);
     BoundaryConditions<Dim>& c = problem.conditions;
     for (std::size_t k = 0; k < c.tractionOverTime.size(); ++k)
         if (c.tractionOverTime[k]) c.traction[k] = c.tractionOverTime[k]->value(t).template head<Dim>();
+    return problem;
+}
+
+/// The same at a time t of the step from t0 to t1, in which the frame has its mean acceleration: what it gets faster by
+/// is not lost between.
+template <int Dim>
+Problem<Dim> problemWithin(double t, double t0, double t1, const Problem<Dim>& problemOfRun) {
+    Problem<Dim> problem = problemAt<Dim>(t, problemOfRun);
+    if (!problem.frameOverTime || !(t1 > t0)) return problem;
+    const Eigen::Vector3d change = problem.frameOverTime->value(t1) - problem.frameOverTime->value(t0);
+    moveFrame<Dim>(problem.frameVelocity, change.template head<Dim>() / (t1 - t0), problem);
     return problem;
 }
 

@@ -163,8 +163,7 @@ namespace pfem {
 std::function<double(double)> readMakerSurface(const Dictionary& dict) {
     const auto motion = function1Detail::readMotion(dict);
     if (!motion.signals.surface) dict.fatal("maker", "Only a piston gives way to waves: maker piston");
-    const double scale = dict.get("scale", Eigen::Vector3d(Eigen::Vector3d::UnitX())).norm();
-    return [motion, scale](double t) { return scale * motion.grown(motion.signals.surface, t); };
+    return [motion](double t) { return motion.grown(motion.signals.surface, t); };
 }
 
 }  // namespace pfem

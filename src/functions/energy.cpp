@@ -31,7 +31,7 @@ void Energy<Dim>::start(const State<Dim>& state) {
         }
     }
     time_ = state.time.value;
-    powers_ = energyPowers<Dim>(*problem_, controls_, state);
+    powers_ = energyPowers<Dim>(problemAt<Dim>(time_, *problem_), controls_, state);
     ids_ = state.nodes.id;
     x_ = state.nodes.x;
     loads_ = tractionForce<Dim>(state.mesh, problem_->conditions, state.nodes.x);
@@ -45,7 +45,7 @@ template <int Dim>
 void Energy<Dim>::advance(const State<Dim>& state) {
     const double dt = state.time.value - time_;
     if (!(dt > 0)) return;
-    const auto powers = energyPowers<Dim>(*problem_, controls_, state);
+    const auto powers = energyPowers<Dim>(problemAt<Dim>(state.time.value, *problem_), controls_, state);
     flows_.viscous += 0.5 * dt * (powers_.viscous + powers.viscous);
     flows_.damper += 0.5 * dt * (powers_.damper + powers.damper);
     flows_.workWalls += 0.5 * dt * (powers_.walls + powers.walls);

@@ -14,7 +14,8 @@ struct EnergyFlows {
     double viscous = 0;    // dissipated in the fluid
     double damper = 0;     // dissipated by the solids' zig-zag damper
     double workWalls = 0;  // done by moving walls and clamps
-    double workLoads = 0;  // done by tractions, and by the force that holds a flow through periodic sides
+    double workLoads = 0;  // done by tractions, by the force that holds a flow through periodic sides, and in a frame
+                           // by what it gets faster by
 };
 
 /// Writes postProcessing/<name>/<startTime>/energy.dat [J/m (2D), J]: kinetic, elastic (solids, and what

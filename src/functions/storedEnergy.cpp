@@ -5,6 +5,7 @@
 #include "conditions/rigidBodies.hpp"
 #include "functions/balance.hpp"
 #include "functions/faceForce.hpp"
+#include "functions/fluidMasses.hpp"
 #include "material/stressTensor.hpp"
 #include "momentum/fluidStress.hpp"
 #include "momentum/mass.hpp"
@@ -70,6 +71,19 @@ double drivePower(const Problem<Dim>& problem, const Controls& controls, const S
     return power;
 }
 
+/// sum m v of fluid, drops, solids and rigid bodies [kg/s (2D), kg m/s].
+template <int Dim>
+Vec<Dim> momentumOf(const Problem<Dim>& problem, const State<Dim>& state) {
+    const auto& nodes = state.nodes;
+    const auto fluid = withDrops<Dim>(problem, state, massOfCells<Dim>(problem, state));
+    const auto solid = solidMass<Dim>(problem, state.mesh.solid, nodes.X);
+    Vec<Dim> sum = Vec<Dim>::Zero();
+    for (int i = 0; i < nodes.size(); ++i) sum += (fluid[i] + solid[i]) * nodes.v[i];
+    for (const auto& body : rigidBodies<Dim>(problem, state.mesh, nodes))
+        sum += (body.massMatrix(body.pose) * body.twist).template head<Dim>();
+    return sum;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -122,13 +136,14 @@ StoredEnergy storedEnergy(const Problem<Dim>& problem, const Controls& controls,
     energy.elastic += elasticEnergy<Dim>(problem, controls, state);
     const auto& nodes = state.nodes;
     const auto mass = solidMass<Dim>(problem, state.mesh.solid, nodes.X);
+    const Vec<Dim> gravity = problem.gravityOutside();
     for (int i = 0; i < nodes.size(); ++i) {
         energy.kinetic += 0.5 * mass[i] * nodes.v[i].squaredNorm();
-        energy.potential -= mass[i] * problem.gravity.dot(nodes.x[i]);
+        energy.potential -= mass[i] * gravity.dot(nodes.x[i]);
     }
     for (const auto& body : rigidBodies<Dim>(problem, state.mesh, nodes)) {
         energy.kinetic += 0.5 * body.twist.dot(body.massMatrix(body.pose) * body.twist);
-        energy.potential -= body.mass * problem.gravity.dot(body.pose.place(body.centre));
+        energy.potential -= body.mass * gravity.dot(body.pose.place(body.centre));
     }
     return energy;
 }
@@ -155,6 +170,7 @@ EnergyPowers energyPowers(const Problem<Dim>& problem, const Controls& controls,
     powers.walls = walls.walls;
     powers.viscous += walls.viscous;
     if (problem.flow) powers.drive = drivePower<Dim>(problem, controls, state);
+    if (problem.frameOverTime) powers.drive -= problem.frameAcceleration.dot(momentumOf<Dim>(problem, state));
     Points<Dim> sides(nodes.size(), Vec<Dim>::Zero());
     addSideFriction<Dim>(problem, mesh.fluid, fluid, nodes.v, sides);
     addDamping<Dim>(problem, mesh.fluid, fluid, nodes, sides);

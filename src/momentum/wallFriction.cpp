@@ -56,7 +56,7 @@ void addSideFriction(const Problem<Dim>& problem, const Cells<Dim>& fluid, const
     domains.share.forNodes(domains.nNodes(), [&](int i) {
         if (around.count(i) == 0) return;
         const double rho = problem.fluid(fluid.material[around.cell[around.start[i]]]).rho;
-        force[i] += domains.volume[i] * sideFriction<Dim>(problem, rho, v[i]);
+        force[i] += domains.volume[i] * sideFriction<Dim>(problem, rho, v[i] + problem.frameVelocity);
     });
 }
 
@@ -64,11 +64,12 @@ template <int Dim>
 void addDamping(const Problem<Dim>& problem, const Cells<Dim>& fluid, const SmoothingDomains<Dim>& domains,
                 const Nodes<Dim>& nodes, Points<Dim>& force) {
     const NodeToCells& around = *domains.around;
+    const Vec<Dim>& frame = problem.frameVelocity;
     for (const auto& zone : problem.conditions.damping)
         domains.share.forNodes(domains.nNodes(), [&](int i) {
             if (around.count(i) == 0) return;
             const double rho = problem.fluid(fluid.material[around.cell[around.start[i]]]).rho;
-            force[i] -= domains.volume[i] * rho * zone.at(nodes.x[i]) * (nodes.v[i] - zone.velocity);
+            force[i] -= domains.volume[i] * rho * zone.at(nodes.x[i]) * (nodes.v[i] + frame - zone.velocity);
         });
 }
 

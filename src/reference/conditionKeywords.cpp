@@ -35,7 +35,8 @@ std::vector<KeywordTable> conditionKeywords() {
           {"to", "vector", "m", "required", "where it has its full rate", "not from"},
           {"rate", "scalar", "1/s", "required", "the largest r; good for waves: their omega = 2 pi/T", ">= 0"},
           {"exponent", "scalar", "-", "2", "of its growth on the way", ">= 0"},
-          {"velocity", "vector", "m/s", "(0 0 0)", "to which the water is brought", ""}}},
+          {"velocity", "vector", "m/s", "(0 0 0)",
+           "to which the water is brought, in the world if the case is told in a box that moves", ""}}},
         {conditions,
          "motion",
          "A rigid motion: a displacement, or a turn about a point that is displaced, or both. Values of time are "
@@ -53,7 +54,7 @@ std::vector<KeywordTable> conditionKeywords() {
          "motion: absorb",
          "How a wall gives way to waves: as a piston that makes none but its own, by the height of the water before "
          "it. "
-         "For waves of the period; of longer ones little comes back.",
+         "For waves of the period; of others more comes back.",
          {{"depth", "scalar", "m", "that of the wave maker", "of the still water at the wall", "> 0"},
           {"period", "scalar", "s", "that of the wave maker", "of the waves that come; of a sea that of its peak",
            "> 0"},

@@ -102,9 +102,9 @@ Motion<Dim> move(const Problem<Dim>& problem, const Problem<Dim>& within, const 
 template <int Dim>
 State<Dim> attemptUnfolded(const Problem<Dim>& problemOfRun, const Controls& controls, Triangulator<Dim>& triangulator,
                            const State<Dim>& last, AdvanceReport& report) {
-    const double t = last.time.value;
-    const auto problem = problemAt<Dim>(t + report.dt, problemOfRun),
-               within = problemAt<Dim>(t + controls.timeIntegration.gamma * report.dt, problemOfRun);
+    const double t = last.time.value, end = t + report.dt;
+    const auto problem = problemWithin<Dim>(end, t, end, problemOfRun),
+               within = problemWithin<Dim>(t + controls.timeIntegration.gamma * report.dt, t, end, problemOfRun);
     State<Dim> state = last;
     report.mesh = {};
     const double start = now();

@@ -6,6 +6,7 @@
 #include <optional>
 #include <sstream>
 
+#include "conditions/givingWay.hpp"
 #include "conditions/rigidBodies.hpp"
 #include "dictionary/print.hpp"
 #include "solver/failedStep.hpp"
@@ -63,6 +64,17 @@ template <int Dim>
 template <int Dim>
 void checkMotions(const Dictionary& dict, const BoundaryConditions<Dim>& conditions, const State<Dim>& state) {
     if (!conditions.anyMotion()) return;
+    for (std::size_t k = 0; k < state.mesh.patches.size(); ++k) {
+        if (!conditions.motion[k] || !conditions.motion[k]->absorption()) continue;
+        const auto& patch = state.mesh.patches[k];
+        const Vec<Dim> up = conditions.motion[k]->absorption()->up.template head<Dim>();
+        if (levelNormal<Dim>(patch.faces, state.nodes.x, up).norm() > 0) continue;
+        dict.subDict(patch.name)
+            .subDict("motion")
+            .fatal("absorb", "'" + patch.name +
+                                 "' is no upright wall with water on one side: it cannot give way to "
+                                 "waves. Make the end of the flume a wall of its own");
+    }
     const auto found = quarrelOf<Dim>(dict, conditions, state.mesh, [](int node) { return node; });
     if (!found) return;
     const bool walls = isWall(conditions.kind[found->patch]);

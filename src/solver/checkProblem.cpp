@@ -166,7 +166,7 @@ std::vector<std::string> doubts(const Dictionary& materials, const Dictionary& g
             "they "
             "may be torn. Let the inlet's rate begin with 0 (type table), or give the body of water its 'velocity' in "
             "system/meshDict");
-    driven = driven || problem.conditions.anyInlet() || problem.flow;
+    driven = driven || problem.conditions.anyInlet() || problem.flow || problem.frameOverTime;
     for (const auto& traction : problem.conditions.traction) driven = driven || traction.norm() > 0;
     for (const auto& [entry, value] : flatEntries(conditions))
         driven = driven || entry.find(".motion") != std::string::npos;

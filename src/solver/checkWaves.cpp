@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "waves/dispersion.hpp"
 
@@ -64,7 +65,7 @@ void lookAtPistons(const Dictionary& conditions, const Problem<Dim>& problem, co
         const Location at = conditions.subDict(name).subDict("motion").where("absorb");
         found.push_back(
             fmt::format("entry 'absorb' in {}:{}: the water before '{}' is {:.3g} m deep, not {:.3g} m: the "
-                        "wall will move until it is",
+                        "wall takes the difference for a wave",
                         at.file, at.line, name, depth, wall.depth));
     }
 }

@@ -9,10 +9,10 @@ namespace pfem {
 
 namespace {
 
-/// v^2/2 - g . x of a node.
+/// v^2/2 - g . x of a node, without what a frame adds to g.
 template <int Dim>
 double specificEnergy(const Problem<Dim>& problem, const Nodes<Dim>& nodes, int i) {
-    return 0.5 * nodes.v[i].squaredNorm() - problem.gravity.dot(nodes.x[i]);
+    return 0.5 * nodes.v[i].squaredNorm() - problem.gravityOutside().dot(nodes.x[i]);
 }
 
 }  // namespace
@@ -21,12 +21,13 @@ template <int Dim>
 StoredEnergy fluidEnergy(const Problem<Dim>& problem, const State<Dim>& state, FluidMass mass) {
     const auto& nodes = state.nodes;
     const auto& cells = state.mesh.fluid;
+    const Vec<Dim> gravity = problem.gravityOutside();
     StoredEnergy energy = parallelSum(nOwnCells<Dim>(state), [&](int e) {
         const ViscousFluid& fluid = problem.fluid(cells.material[e]);
         double squaredSpeed = 0, height = 0, squaredPressure = 0;
         for (const int i : cells.nodes[e]) {
             squaredSpeed += nodes.v[i].squaredNorm();
-            height -= problem.gravity.dot(nodes.x[i]);
+            height -= gravity.dot(nodes.x[i]);
             squaredPressure += nodes.p[i] * nodes.p[i];
         }
         if (mass == FluidMass::consistent) squaredSpeed += squaredSpeedDifference<Dim>(cells.nodes[e], nodes.v);
@@ -39,7 +40,7 @@ StoredEnergy fluidEnergy(const Problem<Dim>& problem, const State<Dim>& state, F
     for (int i = 0; i < n; ++i) {
         const double ofDrop = first->rho * nodes.dropVolume[i];
         energy.kinetic += 0.5 * ofDrop * nodes.v[i].squaredNorm();
-        energy.potential -= ofDrop * problem.gravity.dot(nodes.x[i]);
+        energy.potential -= ofDrop * gravity.dot(nodes.x[i]);
     }
     return energy;
 }

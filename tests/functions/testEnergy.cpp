@@ -154,6 +154,26 @@ TEST(Energy, FreeFall) {
     EXPECT_NEAR(rows.back()[remeshing], 0, 1e-9);
 }
 
+// A block of water without gravity, seen from a box that gets faster by 2 m/s2 to the left: what it gets faster by
+// works like a load, 250 kg 2 m/s2 0.4 m.
+TEST(Energy, OfAFrameThatGetsFaster) {
+    const std::string V = "polynomial (((-2 0 0) (1 1 1)));";
+    const CaseFolder folder(water, "", "(0 0 0); frameVelocity " + V);
+    TestCase c =
+        makeCase("meshSize 0.1; bodies ( water { type fluid; material water; " + rectangle(0, 1, 0.5, 1.5) + " } );",
+                 water, "", {0, 0});
+    c.problem.frameOverTime = readFunction1<Eigen::Vector3d>(Dictionary::parse("V " + V), "V");
+    c.start(2e-2);
+    auto functions = folder.functions("energy { type energy; }");
+    functions.start(c.state);
+    run(c, functions, 2e-2, 10);
+    const auto last = folder.rows("energy/0/energy.dat").back();
+    EXPECT_NEAR(last[kinetic], 0.5 * 250 * 0.16, 1e-6);
+    EXPECT_NEAR(last[workLoads], 20, 1e-6);
+    EXPECT_EQ(last[potential], 0);
+    EXPECT_NEAR(last[numerical], 0, 1e-6);
+}
+
 // v = (gamma y, 0) dissipates mu gamma^2 per volume; a wall that recedes with v takes p v per length.
 TEST(Energy, Powers) {
     TestCase c =

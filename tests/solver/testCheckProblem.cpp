@@ -228,6 +228,26 @@ TEST(CheckProblem, doubtsKnowOtherUnitsThanMetres) {
         EXPECT_NE(doubtsOf(rho, 9.81, "").find("without an entry 'kappa'"), std::string::npos) << rho;
 }
 
+// What a box gets faster by is taken off gravity, but not outside.
+TEST(CheckProblem, aBoxThatMovesIsRead) {
+    const TestCase c =
+        makeCase(geometry, water + rubber, "tank { type slip; } lid { type slip; } base { type clamped; }");
+    const auto read = [&](const std::string& frame) {
+        const CaseFolder folder(water + rubber, "tank { type slip; } lid { type slip; } base { type clamped; }",
+                                "(0 -9.81 0); frameVelocity " + frame);
+        return readProblem<2>(Case(folder.path()), c.state, nullptr);
+    };
+    const auto problem = read("table ((0 (0 0 0)) (2 (-1 0 0)) (4 (-1 0 0)))");
+    EXPECT_NEAR((problem.gravity - Vec<2>(0.5, -9.81)).norm(), 0, 1e-12);
+    EXPECT_NEAR((problemAt<2>(1, problem).frameVelocity - Vec<2>(-0.5, 0)).norm(), 0, 1e-12);
+    const auto later = problemAt<2>(3, problem), within = problemWithin<2>(2.5, 1, 3, problem);
+    EXPECT_NEAR((later.gravity - Vec<2>(0, -9.81)).norm(), 0, 1e-12);
+    EXPECT_NEAR((within.gravity - Vec<2>(0.25, -9.81)).norm(), 0, 1e-12);
+    for (const auto& at : {problem, later, within})
+        EXPECT_NEAR((at.gravityOutside() - Vec<2>(0, -9.81)).norm(), 0, 1e-12);
+    EXPECT_THROW(read("(0 0 1)"), UserError);
+}
+
 TEST(CheckProblem, gravityLiesInThePlane) {
     const TestCase c =
         makeCase(geometry, water + rubber, "tank { type slip; } lid { type slip; } base { type clamped; }");

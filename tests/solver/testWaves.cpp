@@ -53,9 +53,7 @@ double reflection(double kd, End end, double size) {
     while (c.state.time.value < time) c.step(T / 60);
     const auto waves = separateWaves(x, harmonics(c, x, d, T, 3)[0], k);
     EXPECT_NEAR(2 * std::abs(waves->incident), height, 0.06 * height);
-    const double part = std::abs(waves->reflected) / std::abs(waves->incident);
-    std::cout << "kd " << kd << " end " << static_cast<int>(end) << " h/d " << size << " part " << part << "\n";
-    return part;
+    return std::abs(waves->reflected) / std::abs(waves->incident);
 }
 
 // Waves shorter than some 25 mesh sizes feel the mesh at their end: 9 % of those of 17 h come back.
@@ -67,8 +65,9 @@ TEST(Waves, longOnesDieInASponge) { EXPECT_LT(reflection(0.5, End::sponge, 0.125
 TEST(Waves, dieInASponge) { EXPECT_LT(reflection(1, End::sponge, 0.125), 0.05); }
 TEST(Waves, shortOnesDieInASponge) { EXPECT_LT(reflection(3, End::sponge, 0.125), 0.05); }
 
-TEST(Waves, aPistonGivesWayToLongOnes) { EXPECT_LT(reflection(0.5, End::piston, 0.125), 0.05); }
-TEST(Waves, aPistonGivesWay) { EXPECT_LT(reflection(1, End::piston, 0.125), 0.05); }
+// 0.6 and 1.0 %; without the lag 0.9 and 2.1, with the surface of now instead of ahead 4.8 and 3.4.
+TEST(Waves, aPistonGivesWayToLongOnes) { EXPECT_LT(reflection(0.5, End::piston, 0.125), 0.015); }
+TEST(Waves, aPistonGivesWay) { EXPECT_LT(reflection(1, End::piston, 0.125), 0.018); }
 TEST(Waves, aPistonGivesWayToShortOnes) {
     EXPECT_LT(reflection(3, End::piston, 0.125), 0.05);  // without the lag, of the water that stays before it: 0.17
     EXPECT_LT(reflection(3, End::piston, 0.0625), 0.05);
