@@ -15,7 +15,6 @@
 #include "case/unfinished.hpp"
 #include "conditions/inflow.hpp"
 #include "functions/functionObjects.hpp"
-#include "io/series.hpp"
 #include "io/stateFiles.hpp"
 #include "solver/checkProblem.hpp"
 #include "solver/log.hpp"
@@ -135,7 +134,7 @@ int solve(const Ranks& ranks, const Case& theCase, const Settings& settings, Tim
     if (state.time.index == 0) recorder.start(ranks.ofFirst(clock.deltaT(state.time)));
     functions.start(state);
     if (clock.ended(state.time)) {
-        writeSeries(theCase.root());  // a run that was killed may have left its last folder out of them
+        recorder.list();
         std::cerr << "--> PFEM Warning: nothing to do: endTime is not after the start at " << state.time.value
                   << " s\n";
     }

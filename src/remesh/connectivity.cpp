@@ -9,6 +9,7 @@
 #include "mesh/onFace.hpp"
 #include "mesh/simplex.hpp"
 #include "mesh/wallUnder.hpp"
+#include "remesh/cutByWalls.hpp"
 
 namespace pfem {
 
@@ -107,6 +108,7 @@ public:
 
     Connectivity<Dim> select() {
         judge();
+        cutAtWalls();
         countCells();
         peel();
         result_.fluid = cellsWhere([&](int e) { return accepted_[e] != 0; });
@@ -214,6 +216,15 @@ private:
                 if (place.beyond < 0 && inward.dot(centre - place.x) < 0) return true;
             }
         return false;
+    }
+
+    /// What has come round the end of a wall is not joined through it with what is before it.
+    void cutAtWalls() {
+        const auto asked = [&](int e) { return accepted_[e] || gap_[e]; };
+        for (const int e : cutByWalls<Dim>(nodes_, moved_, t_, parallelChosen(nCells(), asked))) {
+            if (accepted_[e] && inside_[e]) change(e, VolumeCause::released, -1);
+            accepted_[e] = gap_[e] = 0;
+        }
     }
 
     void countCells() {

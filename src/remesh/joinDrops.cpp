@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "mesh/simplex.hpp"
+#include "mesh/wallScreen.hpp"
 
 namespace pfem {
 
@@ -29,6 +31,15 @@ double patchVolume(const MovedMesh<Dim>& moved, int i) {
     return volume;
 }
 
+/// Is there a wall between two nodes?
+template <int Dim>
+bool isApart(const WallScreen<Dim>& screen, const MovedMesh<Dim>& moved, int i, int j) {
+    const auto& walls = moved.topology.supports;
+    const HeldPoint<Dim> a{moved.x[i], walls[i]}, b{moved.x[j], walls[j]};
+    const double slack = 1e-6 * (a.x - b.x).norm();
+    return screen.parts(a, b, slack, 0) || screen.parts(b, a, slack, 0);
+}
+
 /// An inelastic impact: both go on with the common velocity.
 template <int Dim>
 void giveMomentum(const MovedMesh<Dim>& moved, int drop, int node, Nodes<Dim>& nodes) {
@@ -45,6 +56,7 @@ void joinDrops(const RemeshingControls& controls, MovedMesh<Dim>& moved, State<D
     moved.joins.assign(nodes.size(), -1);
     const auto drops = sortedDrops<Dim>(state);
     const double limit = std::min(controls.expert.removeDistanceFilm, controls.removeDistanceSurface);
+    std::optional<WallScreen<Dim>> screen;  // few drops need it
     for (int i = 0; !drops.empty() && i < nodes.size(); ++i) {
         if (!moved.topology.wet(i)) continue;
         const double x = nodes.x[i][0], widest = limit * nodes.h[i];
@@ -55,6 +67,8 @@ void joinDrops(const RemeshingControls& controls, MovedMesh<Dim>& moved, State<D
             if (moved.images.isImage(drop) || moved.joins[drop] >= 0 || apart.norm() >= widest ||
                 apart.dot(nodes.v[drop] - nodes.v[i]) >= 0)
                 continue;
+            if (!screen) screen.emplace(moved.topology, moved.x);
+            if (isApart<Dim>(*screen, moved, i, drop)) continue;
             moved.joins[drop] = moved.images.own(i);
             giveMomentum<Dim>(moved, drop, moved.joins[drop], nodes);
         }

@@ -25,6 +25,9 @@ public:
     /// UserError.
     void save() { save(simulation_.state); }
 
+    /// Make the lists for ParaView whole: a run that was killed may have left its last folder out of them.
+    void list() { series_.write(); }
+
     /// Simulation's start() and step(). Where the ledger's fields are counted, the start's folder
     /// gets them too, zeros: ParaView offers the fields of the first time. When they fail for good, the last good state
     /// is written and the folder failed/, and a StepFailure tells the reason, the place and where both are.

@@ -16,6 +16,7 @@
 #include "solver/fluidEnergy.hpp"
 #include "solver/impact.hpp"
 #include "solver/invariants.hpp"
+#include "walls/backs.hpp"
 #include "walls/dryInlets.hpp"
 #include "walls/landing.hpp"
 #include "walls/openings.hpp"
@@ -97,6 +98,11 @@ void release(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome
 template <int Dim>
 void land(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>&) {
     landOnWalls<Dim>(c.controls.expert.walls, c.motion.topology, c.motion.xOld, c.problem.gravity.norm(), state);
+}
+
+template <int Dim>
+void keepOff(const RemeshingContext<Dim>& c, State<Dim>& state, RemeshingOutcome<Dim>&) {
+    keepOffBacks<Dim>(c.motion.topology, state.nodes);
 }
 
 template <int Dim>
@@ -226,6 +232,7 @@ const std::vector<RemeshingRule<Dim>>& remeshingRules() {
         {"surfaceShift", VolumeCause::surface, makeUpAtSurface<Dim>},
         {"releaseFromWalls", VolumeCause::released, release<Dim>},
         {"landOnWalls", VolumeCause::landed, land<Dim>},
+        {"keepOffBacks", VolumeCause::landed, keepOff<Dim>},
         {"returnPenetrating", VolumeCause::returned, putBack<Dim>, hasSolids<Dim>},
         {"squeezeOut", {}, squeezeOut<Dim>, solidsMeet<Dim>},
         {"chargeMotion", {}, chargeNodes<Dim>},

@@ -45,8 +45,8 @@ TEST(RemeshingRules, order) {
     std::vector<std::string> names;
     for (const auto& rule : remeshingRules<2>()) names.push_back(rule.name);
     EXPECT_EQ(names, (std::vector<std::string>{"inlets", "outlets", "surfaceShift", "releaseFromWalls", "landOnWalls",
-                                               "returnPenetrating", "squeezeOut", "chargeMotion", "letGo", "holdSizes",
-                                               "remesh", "keepMomentum", "strike", "dryInlets"}));
+                                               "keepOffBacks", "returnPenetrating", "squeezeOut", "chargeMotion",
+                                               "letGo", "holdSizes", "remesh", "keepMomentum", "strike", "dryInlets"}));
 }
 
 // All that moves nodes comes before the nodes are charged, and that before the connectivity is made anew.
