@@ -20,9 +20,9 @@ template <int Dim>
 class WallScreen {
 public:
     /// Of h: a stream turns round the end of a wall between nodes that are about h from it.
-    static constexpr double detour = 2;
+    static constexpr double shortDetour = 2;
 
-    /// Rigid walls, openings not among them, with their points at x; both must outlive it.
+    /// Rigid walls that end somewhere, openings not among them, with their points at x; both must outlive it.
     WallScreen(const Topology<Dim>& topology, const Points<Dim>& x);
 
     /// Is the point nearer than `reach` [m] to the back of a wall that does not hold it? Only such a point can have a
@@ -39,13 +39,16 @@ public:
 
 private:
     bool isClosed(int wall) const;
+    bool holds(int wall, const HeldPoint<Dim>& point) const;
     double distanceBefore(int wall, const HeldPoint<Dim>& point) const;
-    bool isRound(int wall, const Vec<Dim>& from, const Vec<Dim>& to, double detour) const;
-    bool isSealed(int wall, const Vec<Dim>& end, double near) const;
+    bool isClosedAt(int wall, const Vec<Dim>& point, double near) const;
+    bool isPassable(int wall, int k, const Vec<Dim>& end, const HeldPoint<Dim>& to, double detour) const;
+    bool isRound(int wall, const Vec<Dim>& from, const HeldPoint<Dim>& to, double detour) const;
 
     const Topology<Dim>& topology_;
     const Points<Dim>& x_;
     WallBins<Dim> places_;
+    std::vector<unsigned char> hasEnd_;  // per face: water may come round its wall
 };
 
 }  // namespace pfem

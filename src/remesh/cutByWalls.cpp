@@ -10,7 +10,7 @@ namespace pfem {
 
 namespace {
 
-constexpr double slack = 1e-6;  // of h: farther behind a wall a node is behind it
+constexpr double slack = 0.01;  // of h: farther behind a wall a node is behind it
 constexpr double reach = 3;     // of h: no cell reaches farther through a wall
 
 template <int Dim>
@@ -37,7 +37,8 @@ std::vector<int> cutByWalls(const CandidateNodes<Dim>& nodes, const MovedMesh<Di
     if (std::count(behind.begin(), behind.end(), 1) == 0) return {};
     const auto isParted = [&](int from, int to) {
         const double h = 0.5 * (nodes.h[from] + nodes.h[to]);
-        return screen.parts(pointOf<Dim>(nodes, from), pointOf<Dim>(nodes, to), slack * h, WallScreen<Dim>::detour * h);
+        return screen.parts(pointOf<Dim>(nodes, from), pointOf<Dim>(nodes, to), slack * h,
+                            WallScreen<Dim>::shortDetour * h);
     };
     const auto isCut = [&](const Simplex<Dim>& cell) {
         for (const int to : cell)

@@ -215,6 +215,12 @@ bool solidsMeet(const RemeshingContext<Dim>& c, const State<Dim>& state) {
     return c.problem.contact.on && !state.mesh.solid.nodes.empty();
 }
 
+/// In the plane faces of walls are constraints of the triangulation.
+template <int Dim>
+bool inSpace(const RemeshingContext<Dim>&, const State<Dim>&) {
+    return Dim == 3;
+}
+
 /// A gravity that turns could bring drops back.
 template <int Dim>
 bool dropsMayGo(const RemeshingContext<Dim>& c, const State<Dim>&) {
@@ -232,7 +238,7 @@ const std::vector<RemeshingRule<Dim>>& remeshingRules() {
         {"surfaceShift", VolumeCause::surface, makeUpAtSurface<Dim>},
         {"releaseFromWalls", VolumeCause::released, release<Dim>},
         {"landOnWalls", VolumeCause::landed, land<Dim>},
-        {"keepOffBacks", VolumeCause::landed, keepOff<Dim>},
+        {"keepOffBacks", VolumeCause::landed, keepOff<Dim>, inSpace<Dim>},
         {"returnPenetrating", VolumeCause::returned, putBack<Dim>, hasSolids<Dim>},
         {"squeezeOut", {}, squeezeOut<Dim>, solidsMeet<Dim>},
         {"chargeMotion", {}, chargeNodes<Dim>},

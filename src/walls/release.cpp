@@ -25,6 +25,18 @@ struct Grip {
     }
 };
 
+/// A node goes on along the tangent of a bent wall, by which it is behind a hollow one: back onto it, where the step
+/// off the wall does not make up for it.
+template <int Dim>
+void backToCurves(const Topology<Dim>& topology, const Supports<Dim>& held, double off, const Points<Dim>& x,
+                  Vec<Dim>& node) {
+    for (const int wall : held) {
+        if (wall < 0 || !topology.walls[wall].bent) continue;
+        const auto place = placeOnRegion<Dim>(topology.walls, x, wall, node);
+        if (place.normal.dot(node - place.x) < -off) node = place.x;
+    }
+}
+
 /// A drop leaves walls from which gravity pulls it; what the walls' acceleration is, is the normal part of a.
 template <int Dim>
 void letDropFall(const Topology<Dim>& topology, const Vec<Dim>& gravity, int i, Nodes<Dim>& nodes) {
@@ -42,6 +54,7 @@ void releaseFromWalls(const WallControls& controls, const Topology<Dim>& topolog
     for (int i = 0; i < nodes.size(); ++i) {
         if (!topology.onWall[i] || topology.onOpening(i)) continue;
         const Grip<Dim> grip(topology, nodes, i);
+        const Supports<Dim> held = nodes.wall[i];
         const Vec<Dim> slip = nodes.v[i] - grip.velocity;
         const double rate = slip.norm() / nodes.h[i];
         const double scale = fluid.rho * (gravity.norm() * nodes.h[i] + 0.5 * slip.squaredNorm() +
@@ -52,7 +65,9 @@ void releaseFromWalls(const WallControls& controls, const Topology<Dim>& topolog
         if (pulledOff) nodes.wall[i] = unsupported<Dim>();
         if (isSupported(nodes.wall[i])) continue;
         nodes.p[i] = 0;
-        nodes.x[i] += 1e-3 * nodes.h[i] * grip.inward;
+        const double off = 1e-3 * nodes.h[i];
+        backToCurves<Dim>(topology, held, off, nodes.x, nodes.x[i]);
+        nodes.x[i] += off * grip.inward;
     }
 }
 
