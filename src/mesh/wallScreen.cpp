@@ -50,7 +50,7 @@ WallScreen<Dim>::WallScreen(const Topology<Dim>& topology, const Points<Dim>& x)
     : topology_(topology), x_(x), places_(topology.walls, x), hasEnd_(wallsWithEnds<Dim>(topology, x.size())) {}
 
 template <int Dim>
-bool WallScreen<Dim>::isClosed(int wall) const {
+bool WallScreen<Dim>::mayHide(int wall) const {
     return hasEnd_[wall] != 0;
 }
 
@@ -75,7 +75,7 @@ bool WallScreen<Dim>::hides(const HeldPoint<Dim>& point, double reach) const {
     bool hidden = false;
     places_.forEachNear(point.x, point.x, reach, [&](int w) {
         const auto& face = topology_.walls[w].nodes;
-        hidden = hidden || (inwardNormal<Dim>(x_, face).dot(point.x - x_[face[0]]) < 0 && isClosed(w) &&
+        hidden = hidden || (inwardNormal<Dim>(x_, face).dot(point.x - x_[face[0]]) < 0 && mayHide(w) &&
                             distanceToFace<Dim>(x_, face, point.x) < reach && distanceBefore(w, point) < 0);
     });
     return hidden;
@@ -86,7 +86,7 @@ std::optional<WallPlace<Dim>> WallScreen<Dim>::backAt(const HeldPoint<Dim>& poin
     int nearest = -1;
     double behind = reach, before = reach;
     places_.forEachNear(point.x, point.x, reach, [&](int w) {
-        const double distance = isClosed(w) ? distanceToFace<Dim>(x_, topology_.walls[w].nodes, point.x) : reach;
+        const double distance = mayHide(w) ? distanceToFace<Dim>(x_, topology_.walls[w].nodes, point.x) : reach;
         if (distance >= reach) return;
         if (distanceBefore(w, point) >= 0) {
             before = std::min(before, distance);
@@ -150,7 +150,7 @@ template <int Dim>
 bool WallScreen<Dim>::parts(const HeldPoint<Dim>& from, const HeldPoint<Dim>& to, double slack, double detour) const {
     bool parted = false;
     places_.forEachNear(from.x.cwiseMin(to.x), from.x.cwiseMax(to.x), slack, [&](int w) {
-        if (parted || !isClosed(w)) return;
+        if (parted || !mayHide(w)) return;
         const double before = distanceBefore(w, from), after = distanceBefore(w, to);
         if (!((before > slack || holds(w, from)) && after < -slack)) return;
         const double part = std::max(0.0, before / (before - after));  // on the wall: it begins there

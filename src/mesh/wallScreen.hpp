@@ -38,7 +38,7 @@ public:
     bool parts(const HeldPoint<Dim>& from, const HeldPoint<Dim>& to, double slack, double detour) const;
 
 private:
-    bool isClosed(int wall) const;
+    bool mayHide(int wall) const;
     bool holds(int wall, const HeldPoint<Dim>& point) const;
     double distanceBefore(int wall, const HeldPoint<Dim>& point) const;
     bool isClosedAt(int wall, const Vec<Dim>& point, double near) const;

@@ -40,10 +40,10 @@ struct Connectivity {
 template <int Dim>
 std::vector<Simplex<Dim>> cellsOf(const std::vector<CellChange<Dim>>& changes, VolumeCause cause);
 
-/// Inside the moved old mesh everything is fluid; from its boundary, cells with a circumradius above
-/// alphaInside alpha h, slivers and collapsing cells with a node of their own are peeled off, and a solid's node
-/// carried by one cell is released when the fluid has come nearer to the other solid nodes. Outside, a cell is a
-/// new contact and must be small, close and closing; one that is small alone is a gap.
+/// Inside the moved old mesh everything is fluid but for cells that walls cut; from its boundary, cells with a
+/// circumradius above alphaInside alpha h, slivers and collapsing cells with a node of their own are peeled off, and a
+/// solid's node carried by one cell is released when the fluid has come nearer to the other solid nodes. Outside, a
+/// cell is a new contact and must be small, close and closing; one that is small alone is a gap.
 template <int Dim>
 Connectivity<Dim> selectFluid(const RemeshingControls& controls, const Triangulation<Dim>& triangulation,
                               const CandidateNodes<Dim>& nodes, const MovedMesh<Dim>& moved);
