@@ -1,9 +1,9 @@
 #include "mesh/wallScreen.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 
+#include "mesh/components.hpp"
 #include "mesh/distance.hpp"
 
 namespace pfem {
@@ -12,11 +12,6 @@ namespace {
 
 constexpr double sealed = 0.1;     // of the detour: a wall that is nearer to the end of another one closes it
 constexpr double outside = 0.125;  // of the detour: farther behind both faces of a convex edge a point is not beside it
-
-int rootOf(std::vector<int>& parent, int i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-}
 
 /// Rigid, and none that lets water through; behind skins there are solids, which put out what comes in.
 template <int Dim>
@@ -28,18 +23,15 @@ bool isRigid(const Topology<Dim>& topology, int wall) {
 /// round a closed surface.
 template <int Dim>
 std::vector<unsigned char> wallsWithEnds(const Topology<Dim>& topology, std::size_t nPoints) {
-    const int n = static_cast<int>(topology.walls.size());
-    std::vector<int> parent(nPoints);
-    std::iota(parent.begin(), parent.end(), 0);
-    std::vector<unsigned char> ends(nPoints, 0), result(n, 0);
-    for (int w = 0; w < n; ++w)
-        for (const int point : topology.walls[w].nodes)
-            parent[rootOf(parent, point)] = rootOf(parent, topology.walls[w].nodes[0]);
+    std::vector<Face<Dim>> faces;
+    for (const auto& wall : topology.walls) faces.push_back(wall.nodes);
+    const auto body = components(faces, static_cast<int>(nPoints));
+    std::vector<unsigned char> ends(nPoints, 0), result(faces.size(), 0);
     for (const auto& wall : topology.walls)
         for (const Bend bend : wall.bend)
-            if (wall.patch >= 0 && bend == Bend::open) ends[rootOf(parent, wall.nodes[0])] = 1;
-    for (int w = 0; w < n; ++w)
-        result[w] = isRigid<Dim>(topology, w) && ends[rootOf(parent, topology.walls[w].nodes[0])];
+            if (wall.patch >= 0 && bend == Bend::open) ends[body[wall.nodes[0]]] = 1;
+    for (std::size_t w = 0; w < faces.size(); ++w)
+        result[w] = isRigid<Dim>(topology, static_cast<int>(w)) && ends[body[faces[w][0]]];
     return result;
 }
 
